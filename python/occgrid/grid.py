@@ -23,6 +23,8 @@ class GridSpec:
     resolution: float  # side of a cell, metres
     origin_x: float  # world x of the lower left corner, metres
     origin_y: float  # world y of the lower left corner, metres
+
+
 # [/snippet]
 
 
@@ -31,6 +33,8 @@ def logit(p: float) -> float:
     """Log-odds of a probability, which is kept within [1e-9, 1 - 1e-9]."""
     q = min(max(p, 1e-9), 1.0 - 1e-9)
     return float(portable_math.log(q / (1.0 - q)))
+
+
 # [/snippet]
 
 
@@ -39,6 +43,8 @@ def sigmoid(log_odds: Array) -> Array:
     """Probability of log-odds, of any shape; no overflow at either end."""
     z = portable_math.exp(-np.abs(log_odds))
     return np.where(log_odds >= 0.0, 1.0, z) / (1.0 + z)
+
+
 # [/snippet]
 
 
@@ -68,9 +74,9 @@ class OccupancyGrid:
 
     # [snippet: world-to-grid]
     def world_to_grid(
-        self, x: npt.ArrayLike, y: npt.ArrayLike
+        self, x: Array | float, y: Array | float
     ) -> tuple[Cells, Cells]:
-        """Cells (gx, gy) of points in metres; they may lie outside."""
+        """Cells (gx, gy) of points (n,) in metres; they may lie outside."""
         gx = np.floor((x - self.spec.origin_x) / self.spec.resolution)
         gy = np.floor((y - self.spec.origin_y) / self.spec.resolution)
         return gx.astype(np.int64), gy.astype(np.int64)
@@ -84,6 +90,7 @@ class OccupancyGrid:
     def in_bounds(self, gx: int, gy: int) -> bool:
         """Whether a cell lies in the grid."""
         return 0 <= gx < self.spec.width and 0 <= gy < self.spec.height
+
     # [/snippet]
 
     # [snippet: update-cell]
@@ -95,9 +102,12 @@ class OccupancyGrid:
         if self.in_bounds(gx, gy):
             value = self.log_odds[gy, gx] + (l_update - self.l0)
             self.log_odds[gy, gx] = np.clip(value, self.l_min, self.l_max)
+
     # [/snippet]
 
-    def update_cells(self, cells: Cells, occupied: npt.NDArray[np.bool_]) -> None:
+    def update_cells(
+        self, cells: Cells, occupied: npt.NDArray[np.bool_]
+    ) -> None:
         """Apply update_cell to many cells in order, as l_occ where ``occupied`` and l_free elsewhere.
 
         cells: (n,) flat indices gy * width + gx, all in the grid, any of them repeated; occupied: (n,).
@@ -108,7 +118,7 @@ class OccupancyGrid:
         if cells.size == 0:
             return
         # cell, place in the order and kind in one number each: sorting these is much faster than a stable argsort
-        bits = np.int64(cells.size).item().bit_length() + 1
+        bits = int(cells.size).bit_length() + 1
         keys = cells << bits | np.arange(cells.size) << 1 | occupied
         keys.sort()
         cells = keys >> bits
@@ -125,11 +135,13 @@ class OccupancyGrid:
         for j, n in enumerate(reached.tolist()):
             head = values[:n]
             head += steps[starts[:n] + j]
-            np.clip(head, self.l_min, self.l_max, out=head)
+            np.maximum(head, self.l_min, out=head)
+            np.minimum(head, self.l_max, out=head)
         self.log_odds.reshape(-1)[touched] = values
 
     # [snippet: probability-grid]
     def probability_grid(self) -> Array:
         """P(occupied) of every cell, (height, width)."""
         return sigmoid(self.log_odds)
+
     # [/snippet]

@@ -34,6 +34,8 @@ def lesson_settings() -> Settings:
         beams=181,
         noise_std=0.02,
     )
+
+
 # [/snippet]
 
 
@@ -44,6 +46,8 @@ def lesson_world() -> list[Segment]:
     walls.append(add_vertical_wall(0.0, -6.0, 6.0))
     walls.append(add_horizontal_wall(2.0, -8.0, -2.0))
     return walls
+
+
 # [/snippet]
 
 
@@ -57,9 +61,13 @@ def lesson_poses() -> list[Pose]:
         y = 0.0 + 4.0 * float(portable_math.sin(ang))
         poses.append(Pose(x, y, ang + PI / 2.0))
     return poses
+
+
 # [/snippet]
 
 
 def lesson_scenario() -> Scenario:
     """The lesson as a scenario, named ``lesson``."""
-    return Scenario("lesson", lesson_settings(), lesson_world(), iter(lesson_poses()))
+    return Scenario(
+        "lesson", lesson_settings(), lesson_world(), iter(lesson_poses())
+    )

@@ -35,7 +35,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _map_one(file: str | None, options: argparse.Namespace) -> None:
     """Map one scenario, or the built-in lesson, and write what was asked for."""
-    with lesson_scenario() if file is None else read_scenario(file) as scenario:
+    with (
+        lesson_scenario() if file is None else read_scenario(file) as scenario
+    ):
         grid = map_scenario(scenario, options.seed)
     if options.out is None:
         sys.stdout.write(map_pgm(grid))
@@ -55,12 +57,36 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
         description="Map range scans into an occupancy grid. Without a scenario: the built-in lesson.",
         allow_abbrev=False,
     )
-    parser.add_argument("scenarios", nargs="*", metavar="SCENARIO", help="scenario files (CARMEN logs)")
+    parser.add_argument(
+        "scenarios",
+        nargs="*",
+        metavar="SCENARIO",
+        help="scenario files (CARMEN logs)",
+    )
     noise = parser.add_mutually_exclusive_group()
-    noise.add_argument("--noise-free", action="store_true", help="simulate ranges without noise")
-    noise.add_argument("--seed", type=_seed, metavar="N", help="seed of the noise (default: 0)")
-    parser.add_argument("--out", type=Path, metavar="DIR", help="write NAME.pgm, NAME.yaml, NAME.logodds there")
-    parser.add_argument("--plot", type=Path, metavar="FILE", help="draw the map with axes and colour bar")
+    noise.add_argument(
+        "--noise-free",
+        action="store_true",
+        help="simulate ranges without noise",
+    )
+    noise.add_argument(
+        "--seed",
+        type=_seed,
+        metavar="N",
+        help="seed of the noise (default: 0)",
+    )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        metavar="DIR",
+        help="write NAME.pgm, NAME.yaml, NAME.logodds there",
+    )
+    parser.add_argument(
+        "--plot",
+        type=Path,
+        metavar="FILE",
+        help="draw the map with axes and colour bar",
+    )
     version = f"occgrid {__version__} (Python {sys.version.split()[0]}, NumPy {np.__version__})"
     parser.add_argument("--version", action="version", version=version)
     options = parser.parse_intermixed_args(arguments)
@@ -82,6 +108,13 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 def _seed(text: str) -> int:
     """A seed, as argparse wants it."""
-    if not (text.isascii() and text.isdigit() and len(text) < 20 and int(text) <= MAX_SEED):
-        raise argparse.ArgumentTypeError(f"a whole number from 0 to {MAX_SEED} is needed, not '{text}'")
+    if not (
+        text.isascii()
+        and text.isdigit()
+        and len(text) < 20
+        and int(text) <= MAX_SEED
+    ):
+        raise argparse.ArgumentTypeError(
+            f"a whole number from 0 to {MAX_SEED} is needed, not '{text}'"
+        )
     return int(text)

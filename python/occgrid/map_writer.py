@@ -1,4 +1,4 @@
-"""Writing a map: the picture (PGM), what a navigation stack needs beside it (YAML), the log-odds (SPEC.md section 7)."""
+"""Writing a map: picture (PGM), its description (YAML), log-odds (SPEC.md section 7)."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ def pixels(grid: OccupancyGrid) -> npt.NDArray[np.int64]:
     """Grey values (height, width): 0 is occupied, 255 is free."""
     free = 1.0 - grid.probability_grid()
     return np.floor(free * 255.0 + 0.5).astype(np.int64)
+
+
 # [/snippet]
 
 
@@ -27,6 +29,8 @@ def map_pgm(grid: OccupancyGrid) -> str:
     for row in pixels(grid)[::-1].tolist():
         lines.append(" ".join(map(str, row)))
     return "\n".join(lines) + "\n"
+
+
 # [/snippet]
 
 
@@ -72,9 +76,11 @@ def write_map(folder: Path, name: str, grid: OccupancyGrid) -> None:
             try:
                 beside.write_text(text, encoding="ascii", newline="\n")
             except OSError as error:
-                raise OSError(error.errno, error.strerror, str(path)) from error
+                raise OSError(
+                    error.errno, error.strerror, str(path)
+                ) from error
         for path, beside in written.items():
-            os.replace(beside, path)
+            beside.replace(path)
     except BaseException:
         for beside in written.values():
             beside.unlink(missing_ok=True)

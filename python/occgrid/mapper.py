@@ -56,9 +56,15 @@ def simulated_scans(scenario: Scenario, seed: int | None) -> Iterator[Scan]:
             )
             if seed is not None:
                 ranges = add_range_noise(
-                    ranges, settings.noise_std, seed, number, settings.max_range
+                    ranges,
+                    settings.noise_std,
+                    seed,
+                    number,
+                    settings.max_range,
                 )
             yield Scan(scan, angles, ranges)
         else:
             yield scan
+
+
 # [/snippet]

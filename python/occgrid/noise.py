@@ -38,6 +38,8 @@ def philox4x32(counter: Words, key: tuple[int, int]) -> Words:
         k0 = (k0 + PHILOX_W0) & 0xFFFFFFFF
         k1 = (k1 + PHILOX_W1) & 0xFFFFFFFF
     return np.stack([c0, c1, c2, c3])
+
+
 # [/snippet]
 
 
@@ -55,6 +57,8 @@ def normal_deviate(seed: int, scan: int, beams: npt.ArrayLike) -> Array:
     u2 = (w1 + 0.5) / 4294967296.0
     radius = np.sqrt(-2.0 * portable_math.log(u1))
     return radius * portable_math.cos(TWO_PI * u2)
+
+
 # [/snippet]
 
 
@@ -69,4 +73,6 @@ def add_range_noise(
     deviates = normal_deviate(seed, scan, np.arange(ranges.size))
     noisy = ranges + noise_std * deviates
     return np.clip(noisy, 0.0, z_max)
+
+
 # [/snippet]

@@ -23,7 +23,13 @@ def draw_map(grid: OccupancyGrid, file: Path) -> None:
     )
     figure = Figure(figsize=(9, 6), layout="tight")
     axes = figure.subplots()
-    image = axes.imshow(grid.probability_grid(), origin="lower", extent=extent, vmin=0.0, vmax=1.0)
+    image = axes.imshow(
+        grid.probability_grid(),
+        origin="lower",
+        extent=extent,
+        vmin=0.0,
+        vmax=1.0,
+    )
     figure.colorbar(image, label="P(occupied)")
     axes.set_title("Occupancy Grid Map (probability)")
     axes.set_xlabel("x [m]")

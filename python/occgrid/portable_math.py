@@ -20,7 +20,10 @@ Mask = npt.NDArray[np.bool_]
 
 def _doubles(bits: str) -> list[float]:
     """The doubles with these bits, 16 hexadecimal digits each."""
-    return [float(np.uint64(int(word, 16)).view(np.float64)) for word in bits.split()]
+    return [
+        float(np.uint64(int(word, 16)).view(np.float64))
+        for word in bits.split()
+    ]
 
 
 def _high_word(x: Array) -> Words:
@@ -50,10 +53,12 @@ def _flat(x: npt.ArrayLike) -> tuple[Array, tuple[int, ...]]:
 PIO2_1, PIO2_1T = _doubles("3FF921FB54400000 3DD0B4611A626331")
 PIO2_2, PIO2_2T = _doubles("3DD0B4611A600000 3BA3198A2E037073")
 PIO2_3, PIO2_3T = _doubles("3BA3198A2E000000 397B839A252049C1")
-PIO2_SPLIT = _doubles("3FF921FB40000000 3E74442D00000000 3CF8469880000000 3B78CC5160000000 39F01B8380000000")
+PIO2_SPLIT = _doubles(
+    "3FF921FB40000000 3E74442D00000000 3CF8469880000000 3B78CC5160000000 39F01B8380000000"
+)
 
 # upper words of n*pi/2: near them the first subtraction cancels and more of pi/2 is needed
-NPIO2_HIGH = np.concatenate(([0], _high_word(np.arange(1, 33) * 1.5707963267948966)))
+NPIO2_HIGH: Words = _high_word(np.arange(33.0) * 1.5707963267948966)
 
 TWO_OVER_PI_DIGITS = [
     int(digit, 16)
@@ -87,7 +92,11 @@ def _reduce_huge(x: float) -> tuple[int, float, float]:
 
     def column(i: int) -> int:
         """Column i of x times the digits of 2/pi: below 2^53, so integers say the same as doubles."""
-        return sum(t * TWO_OVER_PI_DIGITS[jv + i - j] for j, t in enumerate(tx) if jv + i >= j)
+        return sum(
+            t * TWO_OVER_PI_DIGITS[jv + i - j]
+            for j, t in enumerate(tx)
+            if jv + i >= j
+        )
 
     q = [column(i) for i in range(jk + 1)]
     while True:
@@ -111,7 +120,9 @@ def _reduce_huge(x: float) -> tuple[int, float, float]:
             ih = digits[jz - 1] >> 23
         elif fraction >= 0.5:
             ih = 2
-        if ih > 0:  # more than half a quadrant: take the next one and what is missing to it
+        if (
+            ih > 0
+        ):  # more than half a quadrant: take the next one and what is missing to it
             n += 1
             value = -sum(d << (24 * i) for i, d in enumerate(digits[:jz]))
             digits[:jz] = [value >> (24 * i) & 0xFFFFFF for i in range(jz)]
@@ -173,10 +184,16 @@ def _rem_pio2(x: Array) -> tuple[Words, Array, Array]:
     cancelled = below_3pi4 | ((high >> 20) - _exponent(y0) > 16)
     second = np.flatnonzero(close & cancelled & ~small)
     if second.size:
-        r[second], w[second], y0[second] = _subtract_part(r[second], n[second], PIO2_2, PIO2_2T)
-        deep = ~below_3pi4[second] & ((high[second] >> 20) - _exponent(y0[second]) > 49)
+        r[second], w[second], y0[second] = _subtract_part(
+            r[second], n[second], PIO2_2, PIO2_2T
+        )
+        deep = ~below_3pi4[second] & (
+            (high[second] >> 20) - _exponent(y0[second]) > 49
+        )
         third = second[deep]
-        r[third], w[third], y0[third] = _subtract_part(r[third], n[third], PIO2_3, PIO2_3T)
+        r[third], w[third], y0[third] = _subtract_part(
+            r[third], n[third], PIO2_3, PIO2_3T
+        )
     y1 = (r - y0) - w
 
     negative = x < 0.0
@@ -188,7 +205,9 @@ def _rem_pio2(x: Array) -> tuple[Words, Array, Array]:
     return whole, y0, y1
 
 
-def _subtract_part(r: Array, n: Array, part: float, tail: float) -> tuple[Array, Array, Array]:
+def _subtract_part(
+    r: Array, n: Array, part: float, tail: float
+) -> tuple[Array, Array, Array]:
     """r less n parts of pi/2: what is left, the tail still to subtract, and their difference."""
     w = n * part
     rest = r - w
@@ -259,12 +278,16 @@ def cos(x: npt.ArrayLike) -> Array:
     result = np.choose(n & 3, [c, -s, -c, s])
     result[~np.isfinite(x)] = np.nan
     return result.reshape(shape)
+
+
 # [/snippet]
 
 
 # --- exp and log ---
 
-LN2_HI, LN2_LO, INV_LN2 = _doubles("3FE62E42FEE00000 3DEA39EF35793C76 3FF71547652B82FE")
+LN2_HI, LN2_LO, INV_LN2 = _doubles(
+    "3FE62E42FEE00000 3DEA39EF35793C76 3FF71547652B82FE"
+)
 
 
 # [snippet: portable-exp]
@@ -304,6 +327,8 @@ def exp(x: npt.ArrayLike) -> Array:
     result[x < EXP_UNDERFLOW] = 0.0
     result[np.isnan(x)] = np.nan
     return result.reshape(shape)
+
+
 # [/snippet]
 
 
@@ -366,4 +391,6 @@ def log(x: npt.ArrayLike) -> Array:
     result[x == np.inf] = np.inf
     result[(x < 0.0) | np.isnan(x)] = np.nan
     return result.reshape(shape)
+
+
 # [/snippet]

@@ -10,11 +10,11 @@ Cells = npt.NDArray[np.int64]
 
 # [snippet: bresenham]
 def bresenham(
-    gx0: npt.ArrayLike,
-    gy0: npt.ArrayLike,
-    gx1: npt.ArrayLike,
-    gy1: npt.ArrayLike,
-    k: npt.ArrayLike | None = None,
+    gx0: Cells | int,
+    gy0: Cells | int,
+    gx1: Cells | int,
+    gy1: Cells | int,
+    k: Cells | None = None,
 ) -> tuple[Cells, Cells]:
     """Cells of the line from (gx0, gy0) to (gx1, gy1), in order.
 
@@ -28,13 +28,16 @@ def bresenham(
     sx = np.where(np.less(gx0, gx1), 1, -1)
     sy = np.where(np.less(gy0, gy1), 1, -1)
     a, b = np.maximum(dx, dy), np.minimum(dx, dy)
-    k = np.arange(a + 1) if k is None else np.asarray(k)
+    if k is None:
+        k = np.arange(int(a) + 1)
     a = np.maximum(a, 1)  # a line of one cell has step 0 only
     minor = (2 * k * b + a - 1) // (2 * a)
     along_x = dx >= dy
-    gx = gx0 + sx * np.where(along_x, k, minor)
-    gy = gy0 + sy * np.where(along_x, minor, k)
+    gx: Cells = gx0 + sx * np.where(along_x, k, minor)
+    gy: Cells = gy0 + sy * np.where(along_x, minor, k)
     return gx, gy
+
+
 # [/snippet]
 
 
@@ -78,4 +81,6 @@ def _first_step(m: Cells, a: Cells, b: Cells) -> Cells:
     never = a + 1
     ceiling = -((a - 1 - 2 * a * m) // np.maximum(2 * b, 1))
     return np.where(m <= 0, 0, np.where(b == 0, never, ceiling))
+
+
 # [/snippet]

@@ -45,8 +45,16 @@ class Settings:
 
     def new_grid(self) -> OccupancyGrid:
         """An empty map."""
-        spec = GridSpec(self.width, self.height, self.resolution, self.origin_x, self.origin_y)
-        return OccupancyGrid(spec, self.p0, self.p_occ, self.p_free, self.l_min, self.l_max)
+        spec = GridSpec(
+            self.width,
+            self.height,
+            self.resolution,
+            self.origin_x,
+            self.origin_y,
+        )
+        return OccupancyGrid(
+            spec, self.p0, self.p_occ, self.p_free, self.l_min, self.l_max
+        )
 
 
 class Scenario:
@@ -73,7 +81,10 @@ class Scenario:
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         if self._file is not None:
             self._file.close()
@@ -140,7 +151,14 @@ PARAMETERS = {
         Parameter("noise_std", "real", "0", "1000"),
     )
 }
-REQUIRED = ("width", "height", "resolution", "origin_x", "origin_y", "max_range")
+REQUIRED = (
+    "width",
+    "height",
+    "resolution",
+    "origin_x",
+    "origin_y",
+    "max_range",
+)
 SCAN_KEYWORDS = ("POSE", "FLASER", "ROBOTLASER1")
 
 _KEYWORD = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -157,7 +175,7 @@ class _Reader:
         self.file = file
         self.line = 0
         try:
-            self.stream = open(file, "rb")
+            self.stream = Path(file).open("rb")
         except OSError:
             self.fail("cannot be read")
         self.values: dict[str, int | float | str] = {}
@@ -168,7 +186,9 @@ class _Reader:
         self.stream.close()
 
     def fail(self, reason: str, line: int | None = None) -> NoReturn:
-        raise ScenarioError(self.file, self.line if line is None else line, reason)
+        raise ScenarioError(
+            self.file, self.line if line is None else line, reason
+        )
 
     def fields(self) -> Iterator[list[str]]:
         """Fields of the lines that are neither blank nor comments."""
@@ -197,15 +217,31 @@ class _Reader:
             if keyword in SCAN_KEYWORDS:
                 settings = self.settings()
                 scans = self.scans(keyword, values, lines)
-                return Scenario(scenario_name(self.file), settings, self.walls, scans, self.stream)
-            if keyword == "PARAM" and values and values[0].startswith("occgrid_"):
+                return Scenario(
+                    scenario_name(self.file),
+                    settings,
+                    self.walls,
+                    scans,
+                    self.stream,
+                )
+            if (
+                keyword == "PARAM"
+                and values
+                and values[0].startswith("occgrid_")
+            ):
                 self.parameter(_without_comment(values))
             elif keyword == "WALL":
                 values = self.expect("WALL", 4, _without_comment(values))
-                self.walls.append(Segment(*map(self.coordinate, ("x0", "y0", "x1", "y1"), values)))
+                self.walls.append(
+                    Segment(
+                        *map(self.coordinate, ("x0", "y0", "x1", "y1"), values)
+                    )
+                )
         self.fail("no scan")
 
-    def scans(self, keyword: str, values: list[str], lines: Iterator[list[str]]) -> Iterator[Pose | Scan]:
+    def scans(
+        self, keyword: str, values: list[str], lines: Iterator[list[str]]
+    ) -> Iterator[Pose | Scan]:
         """The scan at hand and all after it."""
         while True:
             if keyword == "POSE":
@@ -215,7 +251,11 @@ class _Reader:
                 yield self.flaser(values)
             elif keyword == "ROBOTLASER1":
                 yield self.robotlaser1(values)
-            elif keyword == "WALL" or (keyword == "PARAM" and values and values[0].startswith("occgrid_")):
+            elif keyword == "WALL" or (
+                keyword == "PARAM"
+                and values
+                and values[0].startswith("occgrid_")
+            ):
                 self.fail(f"{keyword} must stand before the first scan")
             following = next(lines, None)
             if following is None:
@@ -256,13 +296,24 @@ class _Reader:
                 self.fail(f"occgrid_{name} is missing")
         settings = Settings(**self.values)  # type: ignore[arg-type]
         if settings.width * settings.height > MAX_CELLS:
-            self.fail(f"the grid has more than {MAX_CELLS} cells", self.latest("width", "height"))
+            self.fail(
+                f"the grid has more than {MAX_CELLS} cells",
+                self.latest("width", "height"),
+            )
         if settings.max_range / settings.resolution > MAX_RANGE_CELLS:
-            self.fail(f"occgrid_max_range is more than {MAX_RANGE_CELLS} cells", self.latest("max_range", "resolution"))
+            self.fail(
+                f"occgrid_max_range is more than {MAX_RANGE_CELLS} cells",
+                self.latest("max_range", "resolution"),
+            )
         if not settings.l_min < settings.l_max:
-            self.fail("occgrid_l_min is not below occgrid_l_max", self.latest("l_min", "l_max"))
+            self.fail(
+                "occgrid_l_min is not below occgrid_l_max",
+                self.latest("l_min", "l_max"),
+            )
         if not settings.l_min <= logit(settings.p0) <= settings.l_max:
-            reason = "logit(occgrid_p0) is not from occgrid_l_min to occgrid_l_max"
+            reason = (
+                "logit(occgrid_p0) is not from occgrid_l_min to occgrid_l_max"
+            )
             self.fail(reason, self.latest("p0", "l_min", "l_max"))
         return settings
 
@@ -278,7 +329,9 @@ class _Reader:
             self.fail("FLASER has no beam count")
         n = self.whole("beam count", values[0], "1", str(MAX_BEAMS))
         if len(values) != n + 10:
-            self.fail(f"FLASER with {n} beams takes {n + 10} values, found {len(values)}")
+            self.fail(
+                f"FLASER with {n} beams takes {n + 10} values, found {len(values)}"
+            )
         ranges = self.ranges(values[1 : n + 1])
         return Scan(self.pose(values[n + 1 : n + 4]), flaser_angles(n), ranges)
 
@@ -289,15 +342,21 @@ class _Reader:
             self.fail("ROBOTLASER1 has no beam count")
         n = self.whole("beam count", values[7], "1", str(MAX_BEAMS))
         if found < n + 23:
-            self.fail(f"ROBOTLASER1 with {n} beams takes at least {n + 23} values, found {found}")
+            self.fail(
+                f"ROBOTLASER1 with {n} beams takes at least {n + 23} values, found {found}"
+            )
         m = self.whole("remission count", values[n + 8], "0", str(MAX_BEAMS))
         if found != n + m + 23:
-            self.fail(f"ROBOTLASER1 with {n} beams and {m} remissions takes {n + m + 23} values, found {found}")
+            self.fail(
+                f"ROBOTLASER1 with {n} beams and {m} remissions takes {n + m + 23} values, found {found}"
+            )
         start = self.coordinate("start", values[1])
         step = self.coordinate("step", values[3])
         ranges = self.ranges(values[8 : n + 8])
         pose = self.pose(values[n + m + 9 : n + m + 12])
-        return Scan(pose, start + np.arange(n, dtype=np.float64) * step, ranges)
+        return Scan(
+            pose, start + np.arange(n, dtype=np.float64) * step, ranges
+        )
 
     def pose(self, values: list[str]) -> Pose:
         """x, y and theta."""
@@ -313,7 +372,9 @@ class _Reader:
             if not (values > 1e-300).all() or not (values < 1e300).all():
                 raise ValueError
         except ValueError:  # something unusual: look at them one by one
-            values = np.array([self.range(i, token) for i, token in enumerate(tokens)])
+            values = np.array(
+                [self.range(i, token) for i, token in enumerate(tokens)]
+            )
         return values
 
     def range(self, beam: int, token: str) -> float:
@@ -338,7 +399,9 @@ class _Reader:
                 value = float(token)
             except ValueError:
                 self.fail(f"{field} '{token}' is not a number")
-        elif token.removeprefix("-").removeprefix("+").lower() in _WORDS and token[:2] not in ("-+", "+-"):
+        elif token.removeprefix("-").removeprefix(
+            "+"
+        ).lower() in _WORDS and token[:2] not in ("-+", "+-"):
             value = float(token)
         else:
             self.fail(f"{field} '{token}' is not a number")
@@ -370,4 +433,11 @@ class _Reader:
 
 def _without_comment(values: list[str]) -> list[str]:
     """The fields before one that begins with #."""
-    return next((values[:i] for i, value in enumerate(values) if value.startswith("#")), values)
+    return next(
+        (
+            values[:i]
+            for i, value in enumerate(values)
+            if value.startswith("#")
+        ),
+        values,
+    )

@@ -38,6 +38,8 @@ def beam_angles(fov: float, n_beams: int) -> Array:
         return np.zeros(1)
     i = np.arange(n_beams, dtype=np.float64)
     return -(fov / 2.0) + (fov * i) / (n_beams - 1.0)
+
+
 # [/snippet]
 
 
@@ -55,6 +57,8 @@ def flaser_angles(n_beams: int) -> Array:
     else:
         step = 0.0
     return -(PI / 2.0) + np.arange(n_beams, dtype=np.float64) * step
+
+
 # [/snippet]
 
 
@@ -71,6 +75,8 @@ def read_ranges(
     z = np.where(hit, ranges, z_max)
     used = hit if no_return == "ignore" else ~np.isnan(ranges)
     return z, hit, used
+
+
 # [/snippet]
 
 
@@ -83,6 +89,8 @@ def beam_endpoints(
     ex = x + z * portable_math.cos(beam)
     ey = y + z * portable_math.sin(beam)
     return ex, ey
+
+
 # [/snippet]
 
 
@@ -132,6 +140,8 @@ def update_grid_from_scans(
         gx, gy = bresenham(*ends, k)
         occupied = hit[line] & (k == end[line])
         grid.update_cells(gy * spec.width + gx, occupied)
+
+
 # [/snippet]
 
 

@@ -51,6 +51,8 @@ def add_vertical_wall(x: float, y0: float, y1: float) -> Segment:
 def add_horizontal_wall(y: float, x0: float, x1: float) -> Segment:
     """A wall along x."""
     return Segment(x0, y, x1, y)
+
+
 # [/snippet]
 
 
@@ -72,6 +74,8 @@ def ray_segment_intersection(
     u = (qpx * rdy - qpy * rdx) / rxs
     meets = ~parallel & (t >= 0.0) & (u >= 0.0) & (u <= 1.0)
     return np.where(meets, t, np.inf)
+
+
 # [/snippet]
 
 
@@ -90,4 +94,6 @@ def simulate_lidar_scan(
         t = ray_segment_intersection(pose.x, pose.y, rdx, rdy, wall)
         nearest = np.minimum(nearest, t)
     return np.where(nearest <= z_max, nearest, z_max)
+
+
 # [/snippet]

@@ -41,7 +41,9 @@ def bresenham(gx0: int, gy0: int, gx1: int, gy1: int) -> list[tuple[int, int]]:
             gy += sy
 
 
-def simulate_lidar_scan(pose: Pose, walls: list[Segment], angles: list[float], z_max: float) -> list[float]:
+def simulate_lidar_scan(
+    pose: Pose, walls: list[Segment], angles: list[float], z_max: float
+) -> list[float]:
     ranges = []
     for angle in angles:
         a = pose.theta + angle
@@ -62,7 +64,12 @@ def simulate_lidar_scan(pose: Pose, walls: list[Segment], angles: list[float], z
 
 
 def update_grid_from_scan(
-    grid: OccupancyGrid, pose: Pose, angles: list[float], ranges: list[float], z_max: float, no_return: str = "free"
+    grid: OccupancyGrid,
+    pose: Pose,
+    angles: list[float],
+    ranges: list[float],
+    z_max: float,
+    no_return: str = "free",
 ) -> None:
     spec = grid.spec
     gx0 = math.floor((pose.x - spec.origin_x) / spec.resolution)
@@ -75,8 +82,12 @@ def update_grid_from_scan(
             continue
         z = r if hit else z_max
         a = pose.theta + angle
-        gx1 = math.floor(((pose.x + z * cos(a)) - spec.origin_x) / spec.resolution)
-        gy1 = math.floor(((pose.y + z * sin(a)) - spec.origin_y) / spec.resolution)
+        gx1 = math.floor(
+            ((pose.x + z * cos(a)) - spec.origin_x) / spec.resolution
+        )
+        gy1 = math.floor(
+            ((pose.y + z * sin(a)) - spec.origin_y) / spec.resolution
+        )
         cells = bresenham(gx0, gy0, gx1, gy1)
         for gx, gy in cells[:-1] if hit else cells:
             grid.update_cell(gx, gy, grid.l_free)

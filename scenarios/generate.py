@@ -1,0 +1,383 @@
+"""Write the scenario files of this folder: python scenarios/generate.py
+
+Each scenario has a reason, which stands in its first line. A test holds the
+files to this program.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+
+from occgrid.lesson import lesson_poses, lesson_settings, lesson_world
+from occgrid.world import Pose
+
+FOLDER = Path(__file__).parent
+
+# Found by trying offsets: with it, no beam of the lesson starts or ends within
+# 1e-6 m of a cell edge, noise-free or with seed 0.
+OFFSET_X, OFFSET_Y = -11.0329, -9.0406
+
+
+def lesson() -> str:
+    """The lesson, every number as the built-in one computes it."""
+    return _lesson(
+        "The lesson: an ellipse driven in a box with two inner walls. "
+        "All its walls lie on cell edges.",
+        lesson_settings().origin_x,
+        lesson_settings().origin_y,
+    )
+
+
+def lesson_offset() -> str:
+    """The lesson on a grid that no endpoint comes near the edges of."""
+    return _lesson(
+        "The lesson's world on a shifted grid: no beam ends within 1e-6 m "
+        "of a cell edge.",
+        OFFSET_X,
+        OFFSET_Y,
+    )
+
+
+def one_beam() -> str:
+    """A single beam whose cells can be counted on paper."""
+    return _text(
+        "One beam to check by hand: free (1,1) (2,1) (3,2) (4,2), "
+        "occupied (5,3).",
+        _grid(8, 5, 1.0, 0.0, 0.0, 10.0),
+        [_beam_to(Pose(1.5, 1.5, 0.0), 4, 2)],
+    )
+
+
+def octants() -> str:
+    """Lines in every direction, those with ties among them."""
+    steps = [
+        (7, 3),  # an ordinary slope
+        (9, 1),
+        (2, 1),  # a tie at every second step
+        (4, 2),
+        (8, 4),
+        (6, 3),
+        (10, 5),
+        (6, 6),  # the diagonal
+        (9, 0),  # an axis
+        (0, 0),  # the robot's own cell
+    ]
+    targets: dict[tuple[int, int], None] = {}
+    for dx, dy in steps:
+        for a, b in ((dx, dy), (dy, dx)):
+            for sx, sy in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
+                targets[sx * a, sy * b] = None
+    return _text(
+        "All eight octants, both axes, the diagonals, and lines that are "
+        "halfway between two cells at every second step.",
+        _grid(21, 21, 1.0, -10.5, -10.5, 20.0),
+        [_beam_to(Pose(0.0, 0.0, 0.0), dx, dy) for dx, dy in targets],
+    )
+
+
+def outside() -> str:
+    """The robot and the beams' ends outside the grid."""
+    beams = [
+        _beam_to(Pose(1.1, 2.3, 0.0), 3.0, 0.4),  # from the left, ends inside
+        _beam_to(Pose(1.1, 2.3, 0.0), 9.0, 0.9),  # from the left right through
+        _beam_to(Pose(1.2, 3.1, 0.0), 1.9, 1.5),  # cuts the upper left corner
+        _beam_to(Pose(1.2, 2.2, 0.0), 1.7, -2.1),  # cuts the lower left one
+        _beam_to(
+            Pose(8.3, 4.7, 0.0), -2.2, -1.3
+        ),  # from beyond the far corner
+        _beam_to(Pose(4.6, 0.3, 0.0), 0.2, 7.0),  # from below, upwards through
+        _beam_to(Pose(4.6, 5.9, 0.0), -0.9, -1.7),  # from above, ends inside
+        _beam_to(Pose(1.1, 0.4, 0.0), 8.0, 0.1),  # passes below
+        _beam_to(Pose(0.3, 3.3, 0.0), 0.8, 4.0),  # passes on the left
+        _beam_to(Pose(4.4, 2.4, 0.0), 4.8, 0.3),  # from inside to the outside
+        _beam_to(Pose(4.4, 2.4, 0.0), -2.6, 0.2),  # ends just left of the grid
+        _beam_to(Pose(4.4, 2.4, 0.0), 0.3, -1.6),  # ends just below the grid
+        _beam_to(
+            Pose(1.8, 0.8, 0.0), 0.1, 0.1
+        ),  # stays outside, near a corner
+        "POSE 1.3 0.6 0.7",  # a simulated scan from outside
+    ]
+    return _text(
+        "The robot outside the grid: rays that enter, leave, cross a corner "
+        "and miss.",
+        [
+            *_grid(10, 6, 0.5, 2.0, 1.0, 6.0),
+            *_params(beams=61),
+            "WALL 5.2 0.4 5.2 3.6",
+        ],
+        beams,
+    )
+
+
+def no_return(kind: str) -> str:
+    """Ranges at, near and above the maximum, infinite and not a number."""
+    ranges = [
+        "2.3", "4", "3.9999999999", "3.99999999999999", "4.0000001", "81.91",
+        "inf", "+Infinity", "nan", "NaN", "-nan", "0", "1e400", "3.2",
+    ]  # fmt: skip
+    words = {
+        "free": "their beams are free up to the maximum range",
+        "ignore": "their beams are ignored",
+    }
+    poses = (Pose(4.03, 3.07, 0.2), Pose(5.51, 3.56, 2.9))
+    return _text(
+        f"Beams without return: {words[kind]}. NaN is ignored in any case.",
+        [
+            *_grid(40, 30, 0.25, -0.5, -0.75, 4.0),
+            *_params(no_return=kind, beams=37, fov=6.0, noise_std=0.1),
+            "WALL 6.5 1 6.5 5.5",
+        ],
+        [
+            *(_robotlaser1(p, -1.7, 0.26, ranges) for p in poses),
+            "POSE 3.4 2.6 0.3",
+        ],
+    )
+
+
+def saturate() -> str:
+    """Both clamps reached, and left again."""
+    ranges = [f"{1.55 + 0.07 * i:.2f}" for i in range(9)]
+    near = Pose(1.13, 1.61, 0.05)
+    far = Pose(0.72, 1.58, 0.05)
+    scans = [
+        *[_robotlaser1(near, -0.6, 0.15, ranges)] * 9,
+        *[_robotlaser1(far, -0.6, 0.15, ["3.1"] * 9)] * 5,
+        *[_robotlaser1(near, -0.6, 0.15, ranges)] * 3,
+    ]
+    return _text(
+        "Repeated evidence that reaches both clamps, then the opposite "
+        "evidence, then the first again.",
+        [*_grid(20, 16, 0.25, 0.0, 0.0, 5.0), *_params(l_min=-1.7, l_max=2.9)],
+        scans,
+    )
+
+
+def prior() -> str:
+    """A prior that is not one half."""
+    ranges = [f"{0.8 + 0.31 * (i % 5):.2f}" for i in range(12)]
+    return _text(
+        "A prior of 0.3: it is where every cell starts, and every update "
+        "subtracts it.",
+        [
+            *_grid(24, 18, 0.2, -2.4, -1.8, 3.0),
+            *_params(p0=0.3, p_occ=0.85, p_free=0.12, l_min=-4.5, l_max=3.5),
+        ],
+        [
+            _robotlaser1(Pose(0.07, 0.04, 0.3), -3.0, 0.5, ranges),
+            _robotlaser1(Pose(-0.55, 0.37, 2.3), -3.0, 0.5, ranges),
+        ],
+    )
+
+
+def asymmetric() -> str:
+    """A world with no symmetry at all."""
+    return _text(
+        "Different width, height and origin, and a world without symmetry: "
+        "no flipped, turned or shifted map can pass.",
+        [
+            *_grid(61, 37, 0.15, -1.37, 2.21, 5.5),
+            *_params(fov=4.2, beams=83, noise_std=0.03),
+            "WALL -1.1 2.4 7.4 2.9",
+            "WALL 7.4 2.9 6.8 7.1",
+            "WALL 6.8 7.1 2.2 7.5",
+            "WALL -1.1 2.4 -0.7 5.2",
+            "WALL 2.9 4.1 4.4 4.1",
+            "WALL 4.4 4.1 4.4 5.3",
+        ],
+        [
+            "POSE 0.31 3.43 0.4",
+            "POSE 1.24 4.12 1.1",
+            "POSE 2.17 5.71 -0.3",
+            "POSE 5.58 5.92 -2.2",
+            "POSE 6.03 3.64 9.8",
+            "POSE 3.62 3.33 -7.1",
+        ],
+    )
+
+
+def flaser() -> str:
+    """The step between beams is known by their count."""
+    scans = []
+    for i, n in enumerate((180, 181, 360, 361, 400, 401, 7, 2, 1)):
+        pose = Pose(0.3 * i - 1.23, 0.17 * i - 0.61, 0.7 * i)
+        scans.append(_flaser(pose, _wavy(n, 9.0)))
+    return _text(
+        "FLASER scans of 180, 181, 360, 361, 400, 401, 7, 2 and 1 beams: "
+        "the count tells the step.",
+        _grid(100, 90, 0.1, -5.03, -4.47, 8.0),
+        scans,
+    )
+
+
+def robotlaser1() -> str:
+    """Start, step and pose come from the line."""
+    scans = []
+    for i, n in enumerate((180, 181, 360, 361, 541, 5, 1)):
+        pose = Pose(2.2 - 0.41 * i, 0.23 * i - 0.87, 100.0 - 3.1 * i)
+        start = -1.570796 - 0.2 * i
+        step = 0.017453 if n < 200 else 0.008727
+        remissions = n if i % 2 else 0
+        scans.append(
+            _robotlaser1(pose, start, step, _wavy(n, 9.0), remissions)
+        )
+    return _text(
+        "ROBOTLASER1 scans of 180, 181, 360, 361, 541, 5 and 1 beams, with "
+        "and without remissions; headings are not wrapped.",
+        _grid(100, 90, 0.1, -4.43, -5.06, 8.0),
+        scans,
+    )
+
+
+def formats() -> str:
+    """All that the file format allows, with CRLF line ends."""
+    lines = [
+        "# Everything the file format allows: tabs, CRLF, blank lines, "
+        "comments, other programs' lines, all forms of numbers.",
+        "#a comment without a space, and one with other letters: é µ",
+        "",
+        "   \t ",
+        "PARAM robot_width 0.5 nohost 0",
+        "PARAM",
+        "PARAM laser_front_laser_resolution 1.0",
+        "PARAM occgrid_width 0024 # columns",
+        "\tPARAM\toccgrid_height   18\t#rows",
+        "PARAM occgrid_resolution +.25",
+        "PARAM occgrid_origin_x -3.e0",
+        "PARAM occgrid_origin_y -22500000000000000000000e-22 # -2.25",
+        "PARAM occgrid_max_range 0.45E+1",
+        "PARAM occgrid_p_occ 7.0000000000000000000000000000000000000001e-1",
+        "PARAM occgrid_noise_std 1e-400",
+        "SYNC logger 0.1",
+        "ODOM 0.1 0.2 0.3 0 0 0 0.5 host 0.5",
+        "WALL 1.5 -2e0 15E-1 2. # a wall",
+        "NEFF 27.3",
+        "POSE -0 1e-320 0.0000000000000000000000000000000001 # at rest",
+        "unknown_keyword \"quoted\" 'text' {1: 2}",
+        "FLASER 3 1.25 0.9 1.75 0.21 0.13 0.4 0 0 0 99.5 host 1.5",
+        "",
+        "ROBOTLASER1 0 -0.5 1 .5 80 0.01 0 3 1.1 inf 1.3 2 0 0 "
+        "0.33 0.17 -0.2 0.33 0.17 -0.2 0 0 0 0 0 12.5 host 0.5  ",
+        "POSE\t0.6\t0.4\t3.5",
+        "# the last line has no end",
+        "POSE 0.1 0.4 -3.5",
+    ]
+    return "\r\n".join(lines)
+
+
+SCENARIOS: dict[str, Callable[[], str]] = {
+    "lesson": lesson,
+    "lesson-offset": lesson_offset,
+    "one-beam": one_beam,
+    "octants": octants,
+    "outside": outside,
+    "no-return-free": lambda: no_return("free"),
+    "no-return-ignore": lambda: no_return("ignore"),
+    "saturate": saturate,
+    "prior": prior,
+    "asymmetric": asymmetric,
+    "flaser": flaser,
+    "robotlaser1": robotlaser1,
+    "formats": formats,
+}
+
+
+def _lesson(reason: str, origin_x: float, origin_y: float) -> str:
+    s = lesson_settings()
+    head = [
+        *_grid(
+            s.width, s.height, s.resolution, origin_x, origin_y, s.max_range
+        ),
+        *_params(p0=s.p0, p_occ=s.p_occ, p_free=s.p_free),
+        *_params(l_min=s.l_min, l_max=s.l_max, no_return=s.no_return),
+        *_params(fov=s.fov, beams=s.beams, noise_std=s.noise_std),
+        *(" ".join(["WALL", *map(_number, wall)]) for wall in lesson_world()),
+    ]
+    poses = (
+        " ".join(["POSE", *map(_number, pose)]) for pose in lesson_poses()
+    )
+    return _text(reason, head, poses)
+
+
+def _text(reason: str, head: Sequence[str], scans: Iterable[str]) -> str:
+    return "\n".join([f"# {reason}", *head, *scans]) + "\n"
+
+
+def _grid(
+    width: int,
+    height: int,
+    resolution: float,
+    x: float,
+    y: float,
+    z_max: float,
+) -> list[str]:
+    return _params(
+        width=width,
+        height=height,
+        resolution=resolution,
+        origin_x=x,
+        origin_y=y,
+        max_range=z_max,
+    )
+
+
+def _params(**values: float | str) -> list[str]:
+    return [
+        f"PARAM occgrid_{name} {v if isinstance(v, str) else _number(v)}"
+        for name, v in values.items()
+    ]
+
+
+def _beam_to(pose: Pose, dx: float, dy: float) -> str:
+    """A recorded scan of one beam that ends dx, dy metres from the pose."""
+    return _robotlaser1(
+        pose, math.atan2(dy, dx), 0.0, [_number(math.hypot(dx, dy))]
+    )
+
+
+def _robotlaser1(
+    pose: Pose,
+    start: float,
+    step: float,
+    ranges: Sequence[str],
+    remissions: int = 0,
+) -> str:
+    where = list(map(_number, pose))
+    head = ["0", _number(start), _number(step * len(ranges)), _number(step)]
+    tail = [*where, *where, "0", "0", "0", "0", "0", "0", "host", "0"]
+    fields = [*head, "81.91", "0.01", "0", str(len(ranges)), *ranges]
+    fields += [
+        str(remissions),
+        *(str(i % 256) for i in range(remissions)),
+        *tail,
+    ]
+    return " ".join(["ROBOTLASER1", *fields])
+
+
+def _flaser(pose: Pose, ranges: Sequence[str]) -> str:
+    where = list(map(_number, pose))
+    tail = [*where, *where, "0", "host", "0"]
+    return " ".join(["FLASER", str(len(ranges)), *ranges, *tail])
+
+
+def _wavy(n: int, longest: float) -> list[str]:
+    """Ranges as a laser writes them, a few beyond the maximum range."""
+    return [
+        f"{longest * (0.35 + 0.6 * (i * 37 % 101) / 100):.2f}"
+        for i in range(n)
+    ]
+
+
+def _number(value: float) -> str:
+    """The shortest decimal that reads back to the same double."""
+    return repr(value).removesuffix(".0")
+
+
+def main() -> None:
+    for name, text in SCENARIOS.items():
+        (FOLDER / f"{name}.log").write_bytes(text().encode())
+
+
+if __name__ == "__main__":
+    main()
