@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from occgrid import portable_math
 from occgrid.grid import OccupancyGrid
-from occgrid.ray import bresenham, clip_ray
+from occgrid.ray import trace_rays
 from occgrid.world import Pose
 
 Array = npt.NDArray[np.float64]
@@ -20,7 +20,7 @@ NoReturn = Literal["free", "ignore"]
 PI = 3.141592653589793
 
 # cells that are held at once: bounds the memory of an update, whatever the scans
-MAX_CELLS = 1 << 20
+MAX_CELLS = 1 << 21
 
 
 class Scan(NamedTuple):
@@ -128,31 +128,13 @@ def update_grid_from_scans(
     hit = hit[used]
 
     spec = grid.spec
-    first, last = clip_ray(gx0, gy0, gx1, gy1, spec.width, spec.height)
-    counts = np.maximum(last - first + 1, 0)
-    end = np.maximum(np.abs(gx1 - gx0), np.abs(gy1 - gy0))
-    for part in _parts(counts):
-        n = counts[part]
-        line = np.repeat(np.arange(part.start, part.stop), n)
-        before = np.cumsum(n) - n  # cells of the beams before each beam
-        k = np.arange(line.size) - np.repeat(before - first[part], n)
-        ends = gx0[line], gy0[line], gx1[line], gy1[line]
-        gx, gy = bresenham(*ends, k)
-        occupied = hit[line] & (k == end[line])
-        grid.update_cells(gy * spec.width + gx, occupied)
+    beams_at_once = max(1, MAX_CELLS // max(spec.width, spec.height))
+    for i in range(0, hit.size, beams_at_once):
+        part = slice(i, i + beams_at_once)
+        ends = gx0[part], gy0[part], gx1[part], gy1[part]
+        trace = trace_rays(*ends, spec.width, spec.height)
+        occupied = trace.ends & np.repeat(hit[part], trace.counts)
+        grid.update_cells(trace.cells, occupied)
 
 
 # [/snippet]
-
-
-def _parts(counts: npt.NDArray[np.int64]) -> list[slice]:
-    """The beams in runs of at most MAX_CELLS cells, or of one beam that has more."""
-    parts = []
-    start, cells = 0, 0
-    for i, count in enumerate(counts.tolist()):
-        if cells + count > MAX_CELLS and i > start:
-            parts.append(slice(start, i))
-            start, cells = i, 0
-        cells += count
-    parts.append(slice(start, counts.size))
-    return parts

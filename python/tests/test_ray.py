@@ -6,7 +6,7 @@ import numpy as np
 import plain
 import pytest
 
-from occgrid.ray import bresenham, clip_ray
+from occgrid.ray import bresenham, clip_ray, trace_rays
 
 
 def cells(gx0: int, gy0: int, gx1: int, gy1: int) -> list[tuple[int, int]]:
@@ -76,3 +76,36 @@ def test_clip_ray_of_a_distant_robot() -> None:
         far, far, far - 1_000_000, far - 999_999, 5000, 5000
     )
     assert (last < first).all()
+
+
+@pytest.mark.parametrize(("width", "height"), [(1, 1), (9, 4), (3, 25)])
+def test_trace_rays_is_bresenham_in_the_grid(width: int, height: int) -> None:
+    rng = np.random.default_rng(height)
+    gx0, gy0, gx1, gy1 = rng.integers(-12, 30, (4, 3000))
+    trace = trace_rays(gx0, gy0, gx1, gy1, width, height)
+    expected, ends, counts = [], [], []
+    for line in zip(*map(list, (gx0, gy0, gx1, gy1)), strict=True):
+        walked = cells(*line)
+        inside = [
+            (gy * width + gx, k == len(walked) - 1)
+            for k, (gx, gy) in enumerate(walked)
+            if 0 <= gx < width and 0 <= gy < height
+        ]
+        counts.append(len(inside))
+        expected += [cell for cell, _ in inside]
+        ends += [end for _, end in inside]
+    assert trace.cells.tolist() == expected
+    assert trace.ends.tolist() == ends
+    assert trace.counts.tolist() == counts
+
+
+def test_trace_rays_of_the_longest_lines() -> None:
+    """Extents of a million cells: the quotient in floating point is exact."""
+    rng = np.random.default_rng(6)
+    extents = rng.integers(999_000, 1_000_001, 20)
+    for dx in extents.tolist():
+        dy = int(rng.integers(0, dx + 1))
+        gx, gy = bresenham(0, 0, dx, dy)
+        zero, ex, ey = (np.array([g]) for g in (0, dx, dy))
+        trace = trace_rays(zero, zero, ex, ey, dx + 1, dy + 1)
+        assert (trace.cells == gy * (dx + 1) + gx).all()
