@@ -28,7 +28,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"{error.filename}: cannot be written", file=sys.stderr)
+        target = error.filename or "standard output"
+        print(f"{target}: cannot be written", file=sys.stderr)
         return 1
     return 0
 
@@ -40,7 +41,7 @@ def _map_one(file: str | None, options: argparse.Namespace) -> None:
     ):
         grid = map_scenario(scenario, options.seed)
     if options.out is None:
-        sys.stdout.write(map_pgm(grid))
+        print(map_pgm(grid), end="", flush=True)
     else:
         write_map(options.out, scenario.name, grid)
     if options.plot is not None:

@@ -1,0 +1,105 @@
+// The command line, run as a program.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "temp_folder.hpp"
+
+namespace {
+
+class Command : public testing::Test {
+ protected:
+  /// Runs the command; leaves its output in out() and err(). Returns the exit
+  /// status.
+  int run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.file("") +
+                                "' && '" OCCGRID_EXECUTABLE "' " + arguments +
+                                " >stdout 2>stderr";
+    const int status = std::system(command.c_str());
+    return status % 256 == 0 ? status / 256
+                             : -1;  // as POSIX puts them together
+  }
+
+  std::string out() const { return folder_.read("stdout"); }
+  std::string err() const { return folder_.read("stderr"); }
+
+  TempFolder folder_;
+  const std::string scenario_ =
+      "PARAM occgrid_width 3\nPARAM occgrid_height 1\nPARAM "
+      "occgrid_resolution 1\n"
+      "PARAM occgrid_origin_x 0\nPARAM occgrid_origin_y 0\nPARAM "
+      "occgrid_max_range 9\n"
+      "FLASER 1 1 0.5 0.5 1.5707963267948966 x x x x x x\n";
+};
+
+TEST_F(Command, Picture) {
+  folder_.write("a.log", scenario_);
+  EXPECT_EQ(run("a.log"), 0);
+  EXPECT_EQ(out(), "P2\n3 1\n255\n179 64 128\n");
+  EXPECT_EQ(err(), "");
+}
+
+TEST_F(Command, LessonWithoutScenario) {
+  EXPECT_EQ(run(""), 0);
+  const std::string noisy = out();
+  EXPECT_EQ(noisy.substr(0, 15), "P2\n220 180\n255\n");
+  EXPECT_EQ(run("--seed 0"), 0);
+  EXPECT_EQ(out(), noisy);
+  EXPECT_EQ(run("--seed 1 --seed 4294967295"), 0);
+  EXPECT_NE(out(), noisy);
+  EXPECT_EQ(run("--out d --noise-free"), 0);
+  EXPECT_EQ(out(), "");
+  EXPECT_EQ(folder_.read("d/lesson.yaml").substr(0, 18),
+            "image: lesson.pgm\n");
+}
+
+TEST_F(Command, SeveralScenarios) {
+  folder_.write("a.log", scenario_);
+  folder_.write("b.log", "POSE 0 0 0\n");
+  folder_.write("c.log", scenario_);
+  EXPECT_EQ(run("a.log c.log --out d/e"), 0);
+  EXPECT_EQ(folder_.read("d/e/a.logodds"), folder_.read("d/e/c.logodds"));
+  // the first error ends the run; what earlier scenarios wrote stays
+  EXPECT_EQ(run("--out f ./a.log ./b.log c.log"), 1);
+  EXPECT_EQ(err(), "./b.log:1: occgrid_width is missing\n");
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("f/a.pgm")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("f/b.pgm")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("f/c.pgm")));
+}
+
+TEST_F(Command, ErrorsLaterInAScenarioWriteNothing) {
+  folder_.write("a.log", scenario_ + "POSE 0 0\n");
+  EXPECT_EQ(run("--out d a.log"), 1);
+  EXPECT_EQ(err(), "a.log:8: POSE takes 3 values, found 2\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("d/a.pgm")));
+  EXPECT_EQ(run("a.log"), 1);
+  EXPECT_EQ(out(), "");
+  EXPECT_EQ(run("missing.log"), 1);
+  EXPECT_EQ(err(), "missing.log:0: cannot be read\n");
+  folder_.write("ok.log", scenario_);
+  EXPECT_EQ(run("--out a.log ok.log"), 1);
+  EXPECT_EQ(err(), "a.log: cannot be written\n");
+}
+
+TEST_F(Command, BadUsage) {
+  folder_.write("a.log", scenario_);
+  for (const char* arguments :
+       {"--bogus", "--seed", "--seed x", "--seed -1", "--seed 4294967296",
+        "--seed 1.0", "--out", "--out --noise-free", "--noise-free --seed 1",
+        "a.log b.log", "--out d a.log d/a.txt", "-x a.log"}) {
+    EXPECT_EQ(run(arguments), 2) << arguments;
+    EXPECT_NE(err().find("usage: occgrid"), std::string::npos);
+    EXPECT_EQ(out(), "");
+    EXPECT_FALSE(std::filesystem::exists(folder_.file("d")));
+  }
+}
+
+TEST_F(Command, HelpAndVersion) {
+  EXPECT_EQ(run("--help"), 0);
+  EXPECT_EQ(out().substr(0, 14), "usage: occgrid");
+  EXPECT_EQ(run("--version"), 0);
+  EXPECT_EQ(out().substr(0, 8), "occgrid ");
+  EXPECT_EQ(out().find('\n'), out().size() - 1);
+}
+
+}  // namespace
