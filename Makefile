@@ -1,0 +1,125 @@
+# Occupancy grid mapping in five languages.
+#
+#   make all     sets up what is missing, builds every port, maps every scenario with all of them and compares
+#   make test    every test there is
+#
+# `make help` lists the rest. PYTHON=python3.12 makes .venv with that Python; JOBS=1 does one thing at a time.
+
+SHELL := /bin/bash
+.DEFAULT_GOAL := help
+
+JOBS ?= 2
+PORTS := python cpp java matlab mathematica
+PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica
+BIN := .venv/bin
+export PATH := $(CURDIR)/.venv/bin:$(PATH)
+
+# Maven keeps what it downloads in ~/.m2, or here where the home folder (as Java sees it) cannot be written.
+ifeq (,$(findstring maven.repo.local,$(MAVEN_OPTS)))
+ifneq (yes,$(shell [ -w "$$(getent passwd "$$(id -u)" | cut -d: -f6)" ] && echo yes))
+export MAVEN_OPTS += -Dmaven.repo.local=$(CURDIR)/build/m2
+endif
+endif
+
+clang-format = find cpp/src cpp/tests -name "*.[ch]pp" -exec clang-format $1 {} +
+SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
+MVN := mvn -B -ntp -Dstyle.color=never
+JDK := openjdk-17-jdk-headless
+# The MATLAB sources are held to a style where there is one.
+MH_STYLE := $(if $(wildcard matlab/miss_hit.cfg),; mh_style --single matlab)
+# The Wolfram tests run on a Wolfram kernel where there is one, else on woxi.
+WOLFRAM := $(if $(shell command -v wolframscript),wolframscript,woxi)
+WOLFRAM_RUN := $(if $(filter wolframscript,$(WOLFRAM)),wolframscript -file,woxi run)
+
+##@ Everything
+
+.PHONY: all
+all: setup-run  ## Set up, build every port, map every scenario, print the table
+	$(BIN)/parity run --jobs $(JOBS) $(if $(CI),,--allow-skipped)
+
+.PHONY: test
+test: setup  ## Every test there is; ends with a table of what passed
+	@scripts/part --start $(PARTS) compare
+	@$(MAKE) --no-print-directory -k -j$(JOBS) $(SYNC) $(PARTS:%=run-test-%) || true
+	@$(MAKE) --no-print-directory run-test-compare || true
+	@scripts/part --report
+
+.PHONY: setup setup-run
+setup:  ## Install what is missing: Debian's packages, Python's in .venv
+	@PYTHON="$(PYTHON)" scripts/setup
+setup-run:
+	@PYTHON="$(PYTHON)" scripts/setup run
+
+##@ One port
+
+.PHONY: $(PORTS)
+$(PORTS): setup-run  ## Build the port
+	$(BIN)/parity build $@
+
+.PHONY: $(PARTS:%=test-%) test-compare
+$(PARTS:%=test-%) test-compare: test-%: setup  ## Its tests; also test-lint and test-compare
+	@$(MAKE) --no-print-directory run-$@
+
+##@ Housekeeping
+
+.PHONY: format
+format: setup  ## Format the Python, C++ and Java sources
+	$(BIN)/ruff check --fix-only .
+	$(BIN)/ruff format .
+	$(call clang-format,-i)
+	cd java && $(MVN) -q formatter:format
+
+.PHONY: wheel
+wheel: setup  ## Build the wheel and the source archive in dist/
+	rm -rf dist
+	PIP_CONSTRAINT=constraints.txt $(BIN)/python -m build
+
+.PHONY: lock
+lock:  ## Write constraints.txt anew, with the newest versions that fit
+	scripts/lock
+
+.PHONY: clean
+clean:  ## Remove what was built; .venv stays
+	rm -rf build dist cpp/build* java/target .mypy_cache .pytest_cache .ruff_cache
+	find python compare scripts -name __pycache__ -prune -exec rm -rf {} +
+
+.PHONY: help
+help:  ## This list
+	@awk -F ':.*## ' '/^##@/ { print "\n" substr($$0, 5) } \
+	    /^[^\t#.][^=]*:.*## / { name = $$1; sub(/^\$$\(PORTS\)$$/, "$(PORTS)", name); \
+	    sub(/^\$$\(PARTS.*$$/, "test-PORT", name); printf "  %-36s %s\n", name, $$2 }' Makefile
+
+# The parts of the tests: name, what it needs, commands. `make test` runs all but the last side by side. A part whose
+# tools are missing is skipped, or fails where CI is set.
+
+.PHONY: $(PARTS:%=run-test-%) run-test-compare
+
+run-test-lint:
+	@scripts/part lint 'ruff mypy' 'ruff check .; ruff format --check .; \
+	    mypy$(foreach tests,$(wildcard python/tests compare/tests),; mypy $(tests))'
+
+run-test-python:
+	@scripts/part python 'pytest' 'pytest python/tests'
+
+run-test-cpp:
+	@scripts/part cpp 'g++ cmake' 'parity build cpp; \
+	    ctest --test-dir cpp/build --output-on-failure --no-tests=error'
+
+run-test-cpp-format:
+	@scripts/part cpp-format 'clang-format' '$(call clang-format,--dry-run -Werror)'
+
+run-test-java:
+	@scripts/part java 'javac=$(JDK) mvn=maven' 'cd java; $(MVN) verify'
+
+run-test-matlab:
+	@scripts/part matlab 'octave-cli=octave' 'parity build matlab; \
+	    octave-cli --no-history --norc --quiet matlab/tests/run_tests.m'
+
+run-test-matlab-lint:
+	@scripts/part matlab-lint 'mh_lint=miss_hit' 'mh_lint --single matlab$(MH_STYLE)'
+
+run-test-mathematica:
+	@scripts/part mathematica '$(WOLFRAM)' 'parity build mathematica; $(WOLFRAM_RUN) mathematica/tests/run_tests.wls'
+
+run-test-compare:
+	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest compare/'
