@@ -1,0 +1,151 @@
+function status = main(varargin)
+    % MAIN  The command line (SPEC.md section 6).
+    %
+    %   status = occgrid.main('--seed', '1', '--out', 'maps', 'office.log')
+    %
+    %   Takes the command's arguments and returns its exit status: 0, 1 where
+    %   a scenario or an output failed, 2 for bad usage.
+    status = 0;
+    [options, wrong] = read_options(cellfun(@char, varargin, ...
+                                            'UniformOutput', false));
+    if ~isempty(wrong)
+        fprintf(2, 'occgrid: %s\n%s', wrong, usage());
+        status = 2;
+        return
+    elseif strcmp(options.show, 'help')
+        fprintf('%s', usage());
+        return
+    elseif strcmp(options.show, 'version')
+        fprintf('occgrid 1.0.0 (%s)\n', language());
+        return
+    end
+    try
+        if isempty(options.scenarios)
+            map_one(occgrid.lesson.lesson_scenario(), options);
+        end
+        for i = 1:numel(options.scenarios)
+            s = occgrid.scenario.read_scenario(options.scenarios{i});
+            map_one(s, options);
+        end
+    catch failure
+        if ~any(strcmp(failure.identifier, ...
+                       {'occgrid:scenario', 'occgrid:output'}))
+            rethrow(failure);
+        end
+        fprintf(2, '%s\n', failure.message);
+        status = 1;
+    end
+end
+
+function map_one(s, options)
+    % map one scenario and write what was asked for
+    map = occgrid.mapper.map_scenario(s, options.seed);
+    if ~ischar(options.out)
+        fprintf('%s', occgrid.map_writer.map_pgm(map));
+    else
+        occgrid.map_writer.write_map(options.out, s.name, map);
+    end
+    if ischar(options.plot)
+        occgrid.picture.draw_map(map, options.plot);
+    end
+end
+
+function [options, wrong] = read_options(args)
+    % the options, and what is wrong with them; stops at --help and --version
+    options = struct('seed', 0, 'out', [], 'plot', [], 'show', '');
+    options.scenarios = {};
+    wrong = '';
+    noise_free = false;
+    seeded = false;
+    i = 1;
+    while i <= numel(args) && isempty(wrong) && isempty(options.show)
+        argument = args{i};
+        if any(strcmp(argument, {'--seed', '--out', '--plot'}))
+            i = i + 1;
+            if i > numel(args)
+                wrong = ['argument ', argument, ': a value is missing'];
+                break
+            end
+        end
+        switch argument
+            case {'--help', '-h'}
+                options.show = 'help';
+            case '--version'
+                options.show = 'version';
+            case '--noise-free'
+                noise_free = true;
+            case '--seed'
+                seeded = true;
+                [options.seed, wrong] = read_seed(args{i});
+            case '--out'
+                options.out = args{i};
+            case '--plot'
+                options.plot = args{i};
+            otherwise
+                if strncmp(argument, '-', 1) && numel(argument) > 1
+                    wrong = ['there is no option ', argument];
+                else
+                    options.scenarios{end + 1} = argument;
+                end
+        end
+        i = i + 1;
+    end
+    if ~isempty(wrong) || ~isempty(options.show)
+        return
+    end
+
+    names = cellfun(@occgrid.scenario.scenario_name, options.scenarios, ...
+                    'UniformOutput', false);
+    [~, first] = unique(names, 'first');
+    if noise_free && seeded
+        wrong = '--noise-free and --seed exclude each other';
+    elseif numel(names) > 1 && ~ischar(options.out)
+        wrong = 'several scenarios need --out';
+    elseif numel(names) > 1 && ischar(options.plot)
+        wrong = '--plot draws one scenario';
+    elseif numel(first) < numel(names)
+        twice = setdiff(1:numel(names), first);
+        wrong = ['two scenarios are named ', names{twice(1)}];
+    end
+    if noise_free
+        options.seed = [];
+    end
+end
+
+function [seed, wrong] = read_seed(text)
+    % a whole number from 0 to 2^32 - 1
+    seed = 0;
+    wrong = '';
+    if ~isempty(text) && all(text >= '0' & text <= '9')
+        seed = sscanf(text, '%f');
+    end
+    if isempty(text) || any(text < '0' | text > '9') || seed > 4294967295
+        wrong = ['argument --seed: a whole number from 0 to 4294967295 ' ...
+                 'is needed, not ''', text, ''''];
+    end
+end
+
+function text = usage()
+    lines = { ...
+        'usage: occgrid [--noise-free | --seed N] [--out DIR] [SCENARIO...]'
+        ''
+        'Map range scans into an occupancy grid.'
+        ''
+        '  SCENARIO      scenario files (CARMEN logs); without: the lesson'
+        '  --noise-free  simulate ranges without noise'
+        '  --seed N      seed of the noise (default: 0)'
+        '  --out DIR     write NAME.pgm, NAME.yaml, NAME.logodds there;'
+        '                without: the PGM on standard output'
+        '  --plot FILE   draw the map with axes and colour bar'
+        '  --version     print the version'
+        '  --help        print this'};
+    text = sprintf('%s\n', lines{:});
+end
+
+function text = language()
+    text = 'MATLAB';
+    if exist('OCTAVE_VERSION', 'builtin')
+        text = 'GNU Octave';
+    end
+    text = [text, ' ', version()];
+end

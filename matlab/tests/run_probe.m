@@ -1,0 +1,9 @@
+% The probe on Octave's command line:
+%
+%   octave-cli --no-history --norc --quiet run_probe.m FUNCTION INPUT OUTPUT
+%
+% On MATLAB call probe(FUNCTION, INPUT, OUTPUT).
+addpath(fileparts(mfilename('fullpath')));
+addpath(fileparts(fileparts(mfilename('fullpath'))));
+run_probe_arguments = argv();
+probe(run_probe_arguments{:});
