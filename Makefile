@@ -35,7 +35,7 @@ WOLFRAM_RUN := $(if $(filter wolframscript,$(WOLFRAM)),wolframscript -file,woxi 
 
 .PHONY: all
 all: setup-run  ## Set up, build every port, map every scenario, print the table
-	$(BIN)/parity run --jobs $(JOBS) $(if $(CI),,--allow-skipped)
+	$(BIN)/parity run --jobs $(JOBS) --report build/report $(if $(CI),,--allow-skipped)
 
 .PHONY: test
 test: setup  ## Every test there is; ends with a table of what passed
