@@ -62,7 +62,10 @@ def write_map(folder: Path, name: str, grid: OccupancyGrid) -> None:
     Each file is renamed into place when all of them are whole. Raises OSError, its ``filename`` the folder or file
     that cannot be written.
     """
-    folder.mkdir(parents=True, exist_ok=True)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(folder)) from error
     texts = {
         folder / f"{name}.pgm": map_pgm(grid),
         folder / f"{name}.yaml": map_yaml(grid, f"{name}.pgm"),
@@ -74,7 +77,12 @@ def write_map(folder: Path, name: str, grid: OccupancyGrid) -> None:
             beside = path.with_name(f".{path.name}.{os.getpid()}.part")
             written[path] = beside
             try:
-                beside.write_text(text, encoding="ascii", newline="\n")
+                beside.write_text(
+                    text,
+                    encoding="utf-8",
+                    errors="surrogateescape",
+                    newline="\n",
+                )
             except OSError as error:
                 raise OSError(
                     error.errno, error.strerror, str(path)

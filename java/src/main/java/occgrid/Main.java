@@ -24,7 +24,8 @@ public final class Main {
     public static final String VERSION = "1.0.0";
 
     private static final String USAGE = """
-            usage: occgrid [--noise-free | --seed N] [--out DIR] [SCENARIO...]
+            usage: occgrid [--noise-free | --seed N] [--out DIR]
+                           [--threads N] [SCENARIO...]
 
             Map range scans into an occupancy grid.
             Without a scenario: the built-in lesson.
@@ -33,6 +34,8 @@ public final class Main {
               --seed N      seed of the noise, 0 to 4294967295 (default: 0)
               --out DIR     write NAME.pgm, NAME.yaml and NAME.logodds there
                             (without it: the picture on standard output)
+              --threads N   map on N threads, 1 to 256 (default: 1); the map
+                            is the same
               --version     the version
               --help        this text
             """;
@@ -91,7 +94,10 @@ public final class Main {
             OutputStream out) throws WriteException {
         OccupancyGrid grid;
         try (scenario) {
-            grid = Mapper.mapScenario(scenario, options.seed);
+            grid = options.threads == 1
+                    ? Mapper.mapScenario(scenario, options.seed)
+                    : Mapper.mapScenarioInBands(scenario, options.seed,
+                            options.threads);
         }
         if (options.folder != null) {
             MapWriter.writeMap(options.folder, scenario.name(), grid);
@@ -121,6 +127,7 @@ public final class Main {
     private static final class Options {
         OptionalLong seed = OptionalLong.of(0);
         Path folder;
+        int threads = 1;
         List<String> scenarios = new ArrayList<>();
         /** The answer to --help or --version; null without. */
         String text;
@@ -149,6 +156,8 @@ public final class Main {
                     }
                     case "--out" -> options.folder = Path
                             .of(value(argument, rest));
+                    case "--threads" -> options.threads = threads(
+                            value(argument, rest));
                     default -> {
                         if (isOption(argument)) {
                             throw new UsageException(
@@ -204,6 +213,17 @@ public final class Main {
             }
             throw new UsageException("--seed needs a whole number from 0 to"
                     + " 4294967295, not '" + text + "'");
+        }
+
+        private static int threads(String text) throws UsageException {
+            if (text.matches("0*[0-9]{1,3}")) {
+                int threads = Integer.parseInt(text);
+                if (1 <= threads && threads <= 256) {
+                    return threads;
+                }
+            }
+            throw new UsageException("--threads needs a whole number from 1"
+                    + " to 256, not '" + text + "'");
         }
     }
 

@@ -150,7 +150,7 @@ public final class MapWriter {
 
     private static void makeFolder(Path folder) throws WriteException {
         try {
-            // createDirectories refuses a link to a folder before Java 20
+            // early releases of 17 refuse a link to a folder (JDK-8294193)
             if (!Files.isDirectory(folder)) {
                 Files.createDirectories(folder);
             }

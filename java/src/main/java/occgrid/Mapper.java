@@ -1,10 +1,18 @@
 package occgrid;
 
+import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.List;
 import java.util.OptionalLong;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import occgrid.Grid.OccupancyGrid;
 import occgrid.Scenario.Observation;
 import occgrid.Scenario.Settings;
+import occgrid.Sensor.Beam;
+import occgrid.Sensor.Rows;
 import occgrid.Sensor.Scan;
 import occgrid.World.Pose;
 
@@ -29,17 +37,36 @@ public final class Mapper {
             OptionalLong seed) {
         Settings settings = scenario.settings();
         OccupancyGrid grid = settings.newGrid();
-        double[] angles = Sensor.beamAngles(settings.fov(), settings.beams());
-        Iterator<? extends Observation> scans = scenario.scans();
-        for (int number = 0; scans.hasNext(); number++) {
-            Observation next = scans.next();
-            Scan scan = next instanceof Pose pose
-                    ? simulatedScan(scenario, pose, angles, number, seed)
-                    : (Scan) next;
-            Sensor.updateGridFromScan(grid, scan, settings.maxRange(),
-                    settings.noReturn());
+        Iterator<Scan> scans = simulatedScans(scenario, seed);
+        while (scans.hasNext()) {
+            Sensor.updateGridFromScan(grid, scans.next(),
+                    settings.maxRange(), settings.noReturn());
         }
         return grid;
+    }
+
+    private static Iterator<Scan> simulatedScans(Scenario scenario,
+            OptionalLong seed) {
+        Settings settings = scenario.settings();
+        double[] angles = Sensor.beamAngles(settings.fov(), settings.beams());
+        Iterator<? extends Observation> scans = scenario.scans();
+        return new Iterator<>() {
+            private int number;
+
+            @Override
+            public boolean hasNext() {
+                return scans.hasNext();
+            }
+
+            @Override
+            public Scan next() {
+                Observation next = scans.next();
+                int n = number++;
+                return next instanceof Pose pose
+                        ? simulatedScan(scenario, pose, angles, n, seed)
+                        : (Scan) next;
+            }
+        };
     }
 
     private static Scan simulatedScan(Scenario scenario, Pose pose,
@@ -55,4 +82,102 @@ public final class Mapper {
         return new Scan(pose, angles, ranges);
     }
     // [/snippet]
+
+    /** Beams that are updated together: bounds the memory. */
+    private static final int BATCH_BEAMS = 1 << 15;
+
+    /**
+     * mapScenario on several threads, with the same bits for any number of
+     * them: each owns a band of rows and takes the updates in order. Memory
+     * grows with the grid and not with the log.
+     *
+     * @param scenario the scenario; its scans are used up
+     * @param seed the noise's seed, 0 to 2^32 - 1; without, free of noise
+     * @param threads how many bands, each with a thread of its own
+     * @return the grid
+     * @throws Scenario.ScenarioException if a scan breaks a rule
+     */
+    public static OccupancyGrid mapScenarioInBands(Scenario scenario,
+            OptionalLong seed, int threads) {
+        Settings settings = scenario.settings();
+        OccupancyGrid grid = settings.newGrid();
+        Iterator<Scan> scans = simulatedScans(scenario, seed);
+        ExecutorService workers = Executors.newFixedThreadPool(threads);
+        try {
+            List<Beam> batch = nextBatch(scans, grid, settings);
+            while (!batch.isEmpty()) {
+                List<Beam> beams = batch;
+                List<Future<?>> bands = new ArrayList<>();
+                for (Rows rows : cutBands(beams, settings.height(), threads)) {
+                    bands.add(workers.submit(() -> Sensor
+                            .updateRowsFromBeams(grid, beams, rows)));
+                }
+                // meanwhile this thread reads on
+                batch = nextBatch(scans, grid, settings);
+                for (Future<?> band : bands) {
+                    band.get();
+                }
+            }
+            return grid;
+        } catch (InterruptedException error) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException(error);
+        } catch (ExecutionException error) {
+            throw new IllegalStateException(error);
+        } finally {
+            workers.shutdownNow();
+        }
+    }
+
+    private static List<Beam> nextBatch(Iterator<Scan> scans,
+            OccupancyGrid grid, Settings settings) {
+        List<Beam> beams = new ArrayList<>();
+        while (beams.size() < BATCH_BEAMS && scans.hasNext()) {
+            Sensor.appendBeams(beams, grid, scans.next(), settings.maxRange(),
+                    settings.noReturn());
+        }
+        return beams;
+    }
+
+    /**
+     * Cuts the rows 0 .. height - 1 into bands, in order, that take about as
+     * many updates by these beams each. Some may be empty.
+     *
+     * @param beams the beams
+     * @param height number of rows
+     * @param count number of bands
+     * @return the bands
+     */
+    static List<Rows> cutBands(List<Beam> beams, int height, int count) {
+        // how many more cells a row has of the beams than the row before
+        double[] rise = new double[height + 1];
+        double all = 0.0;
+        for (Beam beam : beams) {
+            int first = Math.max(Math.min(beam.gy0(), beam.gy1()), 0);
+            int last = Math.min(Math.max(beam.gy0(), beam.gy1()), height - 1);
+            if (first <= last) {
+                double columns = Math.abs(beam.gx1() - beam.gx0());
+                double rows = Math.abs(beam.gy1() - beam.gy0()) + 1.0;
+                double inRow = Math.max(1.0, columns / rows);
+                rise[first] += inRow;
+                rise[last + 1] -= inRow;
+                all += inRow * (last - first + 1);
+            }
+        }
+        List<Rows> bands = new ArrayList<>();
+        int row = 0;
+        double inRow = 0.0;
+        double before = 0.0;
+        for (int band = 1; band <= count; band++) {
+            int first = row;
+            while (row < height
+                    && (band == count || before < all * band / count)) {
+                inRow += rise[row];
+                before += inRow;
+                row++;
+            }
+            bands.add(new Rows(first, row - 1));
+        }
+        return bands;
+    }
 }

@@ -1,5 +1,6 @@
 package occgrid;
 
+import java.util.List;
 import occgrid.Grid.Cell;
 import occgrid.Grid.OccupancyGrid;
 import occgrid.Ray.Steps;
@@ -43,6 +44,28 @@ public final class Sensor {
      * @param ey (n) metres
      */
     public record Endpoints(double[] ex, double[] ey) {
+    }
+
+    /**
+     * A beam that says something, by its first and last cell; both may lie
+     * outside the grid.
+     *
+     * @param gx0 column of the robot
+     * @param gy0 row of the robot
+     * @param gx1 column of the beam's end
+     * @param gy1 row of the beam's end
+     * @param hit whether something stands there
+     */
+    public record Beam(int gx0, int gy0, int gx1, int gy1, boolean hit) {
+    }
+
+    /**
+     * Rows of a grid; none if last is below first.
+     *
+     * @param first the first of them
+     * @param last the last of them
+     */
+    public record Rows(int first, int last) {
     }
 
     // [snippet: beam-angles]
@@ -169,4 +192,64 @@ public final class Sensor {
         }
     }
     // [/snippet]
+
+    /**
+     * Appends the beams of a scan, in order, without those that say nothing.
+     *
+     * @param beams the list to append to
+     * @param grid where the cells lie
+     * @param scan the scan
+     * @param zMax the sensor's maximum range, metres
+     * @param noReturn what a beam without return means
+     */
+    public static void appendBeams(List<Beam> beams, OccupancyGrid grid,
+            Scan scan, double zMax, NoReturn noReturn) {
+        double[] z = readRanges(scan.ranges(), zMax, noReturn);
+        Endpoints ends = beamEndpoints(scan.pose(), scan.angles(), z);
+        Cell robot = grid.worldToGrid(scan.pose().x(), scan.pose().y());
+        for (int i = 0; i < z.length; i++) {
+            if (!Double.isNaN(z[i])) {
+                Cell end = grid.worldToGrid(ends.ex()[i], ends.ey()[i]);
+                beams.add(new Beam(robot.gx(), robot.gy(), end.gx(), end.gy(),
+                        z[i] < zMax));
+            }
+        }
+    }
+
+    /**
+     * updateGridFromScan for beams of any number of scans, in order, but only
+     * for some rows of the grid.
+     *
+     * @param grid the grid, changed in place
+     * @param beams the beams
+     * @param rows the rows
+     */
+    public static void updateRowsFromBeams(OccupancyGrid grid,
+            List<Beam> beams, Rows rows) {
+        int width = grid.spec.width();
+        int height = rows.last() - rows.first() + 1;
+        for (Beam beam : beams) {
+            int gx0 = beam.gx0();
+            int gy0 = beam.gy0();
+            int gx1 = beam.gx1();
+            int gy1 = beam.gy1();
+            if (Math.max(gy0, gy1) < rows.first()
+                    || rows.last() < Math.min(gy0, gy1)) {
+                continue;
+            }
+            // the rows as a grid of their own
+            Steps inside = Ray.clipRay(gx0, gy0 - rows.first(), gx1,
+                    gy1 - rows.first(), width, height);
+            int last = inside.last();
+            if (beam.hit()) {
+                int a = Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0));
+                last = Math.min(last, a - 1);
+            }
+            grid.updateLine(gx0, gy0, gx1, gy1, inside.first(), last,
+                    grid.lFree);
+            if (beam.hit() && rows.first() <= gy1 && gy1 <= rows.last()) {
+                grid.updateCell(gx1, gy1, grid.lOcc);
+            }
+        }
+    }
 }

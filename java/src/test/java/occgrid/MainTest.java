@@ -102,6 +102,22 @@ class MainTest {
     }
 
     @Test
+    void threadsDrawTheSameMap() throws IOException {
+        assertEquals(0, run());
+        String one = out.toString();
+        assertEquals(0, run("--threads", "2"));
+        assertEquals(one, out.toString());
+        String bad = Files.writeString(folder.resolve("bad.log"),
+                SMALL + "POSE 1 2\n").toString();
+        Path maps = folder.resolve("maps");
+        assertEquals(1,
+                run("--out", maps.toString(), "--threads", "3", bad));
+        assertEquals(bad + ":10: POSE takes 3 values, found 2\n",
+                err.toString());
+        assertFalse(Files.exists(maps.resolve("bad.pgm")));
+    }
+
+    @Test
     void aFullDisk() {
         OutputStream full = new OutputStream() {
             @Override
@@ -126,7 +142,7 @@ class MainTest {
                 out.toString());
         assertEquals(0, run("x.log", "--help"));
         assertTrue(out.toString().startsWith("usage: occgrid [--noise-free |"
-                + " --seed N] [--out DIR] [SCENARIO...]\n"));
+                + " --seed N] [--out DIR]\n"));
     }
 
     @ParameterizedTest
@@ -137,6 +153,10 @@ class MainTest {
             "--seed 4294967296, 'not ''4294967296'''",
             "--seed 99999999999999999999, not",
             "--seed +1, 'not ''+1'''",
+            "--threads, --threads needs a value",
+            "--threads 0, 'from 1 to 256, not ''0'''",
+            "--threads 257, 'not ''257'''", "--threads x, 'not ''x'''",
+            "--threads -1, --threads needs a value",
             "--seed 1 --noise-free, exclude each other",
             "a.log b.log, several scenarios need --out",
             "--out o x/a.log y/a.txt, two scenarios are named a"})
