@@ -1,6 +1,6 @@
 function tests = test_portable_math()
     % TEST_PORTABLE_MATH  The bits that Java's StrictMath gives.
-    tests = {@known_bits, @any_shape, @nothing};
+    tests = {@known_bits, @sums_of_bits, @any_shape, @nothing};
 end
 
 function known_bits()
@@ -115,6 +115,42 @@ function known_bits()
         rows = strcmp(table(:, 1), name{1});
         same(call(name{1}, hex2num(table(rows, 2))), ...
             hex2num(table(rows, 3)));
+    end
+end
+
+function sums_of_bits()
+    % 20,000 results each, of arguments i * step - start (for log without
+    % sign): the sums of their upper and of their lower 32 bits
+    table = { ...
+        'sin', 0.0012345678901234, 12.0, 43291343325098, 42949459082860
+        'sin', 123.45678901234, 0.0, 42919588262625, 42765250276565
+        'sin', 1.2345678901234e300, 0.0, 42904636307584, 43006192779252
+        'sin', 0.037, 370.0, 42905684181426, 42847528252444
+        'sin', 0.000012345678901234, 0.0, 21379970562836, 42854023473475
+        'cos', 0.0012345678901234, 12.0, 43292903452148, 42558237324714
+        'cos', 123.45678901234, 0.0, 42895964140927, 42808912869234
+        'cos', 1.2345678901234e300, 0.0, 42953915275606, 43088539354355
+        'cos', 0.037, 370.0, 42945318954940, 43078412695168
+        'cos', 0.000012345678901234, 0.0, 21453440030076, 42750528489567
+        'exp', 0.0012345678901234, 12.0, 21463145979554, 43073500977697
+        'exp', 0.037, 370.0, 21453222688144, 42708657337789
+        'exp', 0.000012345678901234, 0.0, 21456681097268, 42751655460984
+        'log', 0.0012345678901234, 12.0, 24942073544030, 42472237143836
+        'log', 123.45678901234, 0.0, 21531770452145, 42950980081810
+        'log', 1.2345678901234e300, 0.0, 21650304605603, 43061783046276
+        'log', 0.037, 370.0, 21618782309519, 43198964576066
+        'log', 0.000012345678901234, 0.0, 64426729630974, 43109562789150
+            };
+    for row = table'
+        [name, step, start, upper, lower] = row{:};
+        x = (1:20000)' .* step - start;
+        if strcmp(name, 'log')
+            x = abs(x);
+        end
+        bits = typecast(call(name, x), 'uint64');
+        sums = [sum(double(bitshift(bits, -32))), ...
+                sum(double(bitand(bits, uint64(4294967295))))];
+        assert(isequal(sums, [upper, lower]), '%s with step %g', name, step);
     end
 end
 

@@ -38,7 +38,8 @@ end
 function parallel()
     same(ray(0, 0, 1, 0, [2, 0, 3, 0]), Inf);
     same(ray(0, 0, 1, 0, [2, 1, 3, 1]), Inf);
-    same(ray(0, 0, 1, 1e-13, [2, 0, 3, 0]), Inf); % |rxs| below 1e-12
+    same(ray(0, 0, 1, 0, [0, -2e-13, 1, 3e-13]), Inf); % |rxs| below 1e-12
+    same(ray(0, 0, 1, 0, [0, -2e-12, 1, 2e-12]), 0.5); % and above
     same(ray(0, 0, 1, 0, [3, 3, 3, 3]), Inf); % a wall without length
 end
 

@@ -1,0 +1,1 @@
+"""The harness that holds the ports together: builds, runs and compares them."""

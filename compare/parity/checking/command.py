@@ -1,0 +1,186 @@
+"""The command ``parity check``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+
+from occgrid.scenario import ScenarioError
+from parity.checking.check import Options
+from parity.checking.classes import SUMMARY, check_class, check_program
+from parity.checking.programs import (
+    DEFAULT_TIMEOUT,
+    Program,
+    program_from_command,
+    program_from_port,
+)
+from parity.checking.reference import world_of
+from parity.checking.sandbox import MEBI, Limits
+from parity.checking.suite import LESSON, Case, case, case_from, golden_problem
+from parity.checking.text import verdict_text
+from parity.checking.verdict import to_json
+from parity.modes import NOISE_FREE, Mode, parse_mode
+from parity.progress import ConsoleProgress
+from parity.record import write_text
+
+DEFAULT_OUT = Path("parity-check")
+VERDICT = "verdict.json"
+
+Run = Annotated[
+    str | None,
+    typer.Option(
+        "--run",
+        metavar="'CMD'",
+        help="The program's command, with {scenario}, {out} or {pgm}, {mode} or {seed}.",
+    ),
+]
+PortFile = Annotated[
+    Path | None,
+    typer.Option("--port", metavar="FILE", help="The program's port.toml."),
+]
+ClassFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--class", metavar="DIR", help="Many programs: a folder with port.toml each."
+    ),
+]
+Scenarios = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--scenario", metavar="NAME|FILE", help="Check on this only; may be repeated."
+    ),
+]
+Modes = Annotated[
+    list[str] | None,
+    typer.Option("--mode", metavar="MODE", help="noise-free or seed-N, with --scenario."),
+]
+Out = Annotated[
+    Path,
+    typer.Option(metavar="DIR", help="For the record and the minimal scenario."),
+]
+JsonFile = Annotated[
+    Path | None, typer.Option("--json", metavar="FILE", help="A copy of the record.")
+]
+Timeout = Annotated[
+    float | None,
+    typer.Option(
+        min=0.1,
+        help=f"Seconds for one run (default: port.toml's, or {DEFAULT_TIMEOUT:g}).",
+    ),
+]
+Output = Annotated[
+    int, typer.Option("--max-output", min=1, help="MiB that one run may write.")
+]
+Memory = Annotated[
+    int, typer.Option("--max-memory", min=16, help="MiB of memory that one run may use.")
+]
+Processes = Annotated[
+    int, typer.Option("--max-processes", min=1, help="Processes at a time in one run.")
+]
+Explain = Annotated[
+    bool, typer.Option("--explain/--no-explain", help="Look for cause and first difference.")
+]
+Jobs = Annotated[int, typer.Option(min=1, help="With --class: how many side by side.")]
+
+
+def check_command(
+    run: Run = None,
+    port: PortFile = None,
+    class_folder: ClassFolder = None,
+    scenario: Scenarios = None,
+    mode: Modes = None,
+    out: Out = DEFAULT_OUT,
+    json_file: JsonFile = None,
+    timeout: Timeout = None,
+    max_output: Output = 256,
+    max_memory: Memory = 2048,
+    max_processes: Processes = 64,
+    explain: Explain = True,
+    jobs: Jobs = 2,
+) -> None:
+    """Check any program against the suite, and explain the first difference.
+
+    {scenario} is the scenario file, {out} an empty folder, which is the program's working folder too, {pgm} the
+    picture to write, {mode} --noise-free or --seed N, {seed} the seed alone. A program without {scenario} is checked
+    on the lesson it has built in. Ends with 0 where all that can be checked is identical or differs only at cell
+    edges, with 1 where it differs or fails, with 2 for wrong usage.
+    """
+    console = Console()
+    limits = Limits(
+        timeout or DEFAULT_TIMEOUT, max_output * MEBI, max_memory * MEBI, max_processes
+    )
+    try:
+        if sum(x is not None for x in (run, port, class_folder)) != 1:
+            raise ValueError("say one of --run 'CMD', --port FILE, --class DIR")
+        cases = [_case(word) for word in scenario or []]
+        modes = [parse_mode(word) for word in mode or []]
+        if modes and not cases:
+            raise ValueError("--mode goes with --scenario")
+        if class_folder is not None and not class_folder.is_dir():
+            raise ValueError(f"{class_folder} is no folder")
+        program = _program(run, port, timeout)
+        problem = golden_problem(LESSON, NOISE_FREE)
+    except (OSError, ValueError, ScenarioError) as error:
+        Console(stderr=True).print(
+            str(error), markup=False, highlight=False, soft_wrap=True
+        )
+        raise typer.Exit(2) from error
+    if problem is not None:
+        _print(console, problem)
+        raise typer.Exit(1)
+    if class_folder is not None:
+        _check_class(console, class_folder, out, limits, jobs, cases, modes, timeout)
+    assert program is not None
+    own = Limits(program.timeout, limits.output, limits.memory, limits.processes)
+    options = Options(cases, modes, explain, out)
+    verdict = check_program(program, own, options)
+    out.mkdir(parents=True, exist_ok=True)
+    for file in (out / VERDICT, json_file):
+        if file is not None:
+            write_text(file, to_json(verdict))
+    _print(console, verdict_text(verdict).rstrip())
+    _print(console, f"record: {out / VERDICT}")
+    raise typer.Exit(verdict.exit_status)
+
+
+def _check_class(
+    console: Console,
+    folder: Path,
+    out: Path,
+    limits: Limits,
+    jobs: int,
+    cases: list[Case],
+    modes: list[Mode],
+    timeout: float | None,
+) -> None:
+    """Checks a class and ends the command."""
+    with ConsoleProgress(console) as progress:
+        found = check_class(
+            folder, out, limits, jobs, progress, cases, modes, timeout
+        )
+    good = sum(one.verdict.exit_status == 0 for one in found)
+    _print(console, f"{good} of {len(found)} are as they should be; {out / SUMMARY}")
+    raise typer.Exit(0 if found and good == len(found) else 1)
+
+
+def _program(
+    run: str | None, port: Path | None, timeout: float | None
+) -> Program | None:
+    if run is not None:
+        return program_from_command(run, Path.cwd(), timeout or DEFAULT_TIMEOUT)
+    return None if port is None else program_from_port(port, timeout)
+
+
+def _case(word: str) -> Case:
+    """A scenario by its name in the suite or by its file; it must be a valid one."""
+    path = Path(word)
+    found = case_from(path) if path.is_file() else case(word)
+    world_of(found)
+    return found
+
+
+def _print(console: Console, text: str) -> None:
+    console.print(text, markup=False, highlight=False, soft_wrap=True)

@@ -1,0 +1,1 @@
+"""Finds where a program's map first differs: the scan, the beam, the cell."""

@@ -1,0 +1,76 @@
+"""sin, cos, exp and log: the contract's, or those of the machine at hand."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from occgrid import portable_math
+from occgrid.noise import philox4x32
+
+Array = npt.NDArray[np.float64]
+Function = Callable[[Array], Array]
+
+TWO_PI = 6.283185307179586
+
+
+@dataclass(frozen=True)
+class Arithmetic:
+    """Four functions of arrays (n,)."""
+
+    sin: Function
+    cos: Function
+    exp: Function
+    log: Function
+
+
+def _each(function: Callable[[float], float]) -> Function:
+    """A function of one number, applied to each."""
+
+    def of_array(values: Array) -> Array:
+        flat = [function(value) for value in values.reshape(-1).tolist()]
+        return np.array(flat, dtype=np.float64).reshape(values.shape)
+
+    return of_array
+
+
+PORTABLE = Arithmetic(
+    portable_math.sin, portable_math.cos, portable_math.exp, portable_math.log
+)
+PLATFORM = Arithmetic(
+    _each(math.sin), _each(math.cos), _each(math.exp), _each(math.log)
+)
+
+
+def uniforms(
+    seed: int, scans: npt.ArrayLike, beams: npt.ArrayLike
+) -> tuple[Array, Array, Array, Array]:
+    """The four words of each beam's noise as numbers between 0 and 1, (n,) each.
+
+    One of scans and beams may be a single number.
+    """
+    scan, beam = np.broadcast_arrays(
+        np.asarray(scans, dtype=np.uint64), np.asarray(beams, dtype=np.uint64)
+    )
+    zero = np.zeros_like(beam)
+    counter = np.stack([scan, beam, zero, zero])
+    words = philox4x32(counter, (seed, 0)).astype(np.float64)
+    first, second, third, fourth = (words + 0.5) / 4294967296.0
+    return first, second, third, fourth
+
+
+def box_muller(u1: Array, u2: Array, numbers: Arithmetic) -> Array:
+    """A normal deviate from two uniform ones."""
+    return np.sqrt(-2.0 * numbers.log(u1)) * numbers.cos(TWO_PI * u2)
+
+
+def normal_deviate(
+    seed: int, scans: npt.ArrayLike, beams: npt.ArrayLike, numbers: Arithmetic
+) -> Array:
+    """SPEC.md section 3.3."""
+    u1, u2, _, _ = uniforms(seed, scans, beams)
+    return box_muller(u1, u2, numbers)

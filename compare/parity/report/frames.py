@@ -1,0 +1,98 @@
+"""The reference's picture as the scans come in, for the scrubber of the page."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from occgrid.grid import OccupancyGrid
+from occgrid.lesson import lesson_scenario
+from occgrid.map_writer import pixels
+from occgrid.mapper import map_scenario
+from occgrid.scenario import Scenario, read_scenario
+
+Picture = NDArray[np.uint8]
+
+MOST_FRAMES = 64
+MOST_BYTES = 1 << 24  # of all frames of a case, before they are packed
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Pictures after some of the scans.
+
+    ``scans``: the number of scans mapped in each; ``total``: scans there are;
+    ``pixels``: (frames, height, width) of 0 .. 255, the largest y first.
+    """
+
+    scans: list[int]
+    total: int
+    pixels: Picture
+
+
+def lesson_or_file(path: Path | None) -> Scenario:
+    """The scenario of a file, or the built-in lesson."""
+    return lesson_scenario() if path is None else read_scenario(path)
+
+
+def record_frames(scenario: Scenario, seed: int | None) -> Frames:
+    """Map a scenario with the reference and keep pictures, evenly spread.
+
+    Raises ScenarioError where a scan breaks a rule.
+    """
+    settings = scenario.settings
+    limit = MOST_BYTES // (settings.width * settings.height)
+    kept = _Kept(max(2, min(MOST_FRAMES, limit)))
+    map_scenario(scenario, seed, kept.after_scan)
+    return kept.frames()
+
+
+class _Kept:
+    """Keeps every n-th picture, and twice n as soon as there are too many."""
+
+    def __init__(self, most: int) -> None:
+        self.most = most
+        self.every = 1
+        self.total = 0
+        self.pictures: dict[int, Picture] = {}
+        self.log_odds: NDArray[np.float64] | None = None
+        self.picture = np.zeros((0, 0), dtype=np.uint8)
+
+    def after_scan(self, number: int, grid: OccupancyGrid) -> None:
+        """Takes the picture of a scan, if it is its turn."""
+        self.total = number + 1
+        self.grid = grid
+        if self.total % self.every == 0:
+            self.take()
+        if len(self.pictures) > self.most:
+            self.every *= 2
+            self.pictures = {
+                n: picture
+                for n, picture in self.pictures.items()
+                if n % self.every == 0
+            }
+
+    def take(self) -> None:
+        """Takes a picture: only the cells that changed since the last one are computed."""
+        log_odds = self.grid.log_odds
+        if self.log_odds is None:
+            self.picture = pixels(log_odds).astype(np.uint8)
+        else:
+            changed = log_odds != self.log_odds
+            self.picture = self.picture.copy()
+            self.picture[changed] = pixels(log_odds[changed])
+        self.log_odds = log_odds.copy()
+        self.pictures[self.total] = self.picture[::-1]
+
+    def frames(self) -> Frames:
+        """All kept pictures, the one after the last scan among them."""
+        if self.total not in self.pictures:
+            self.take()
+        return Frames(
+            list(self.pictures),
+            self.total,
+            np.stack(list(self.pictures.values())),
+        )

@@ -1,0 +1,103 @@
+"""One self-contained HTML page of a run: the matrix, and each case down to the cell."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from parity.record import RunRecord, to_json, write_text
+from parity.report.cases import Case, cases_of
+from parity.report.packing import pack, pack_frames, pack_log_odds
+from parity.table import footnotes, summary
+
+PAGE_FILE = "index.html"
+
+
+def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
+    """Write the page of a run into a folder, which is made where it is missing.
+
+    ``run_folder`` holds the maps of the record. Returns the page's file.
+    """
+    target.mkdir(parents=True, exist_ok=True)
+    page = target / PAGE_FILE
+    write_text(page, render(record, cases_of(record, run_folder)))
+    write_text(target / "run.json", to_json(record))
+    return page
+
+
+def render(record: RunRecord, cases: Iterable[Case]) -> str:
+    """The page as text; nothing in it is loaded from elsewhere."""
+    environment = Environment(
+        loader=PackageLoader("parity.report", "assets"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    shown = sorted(enumerate(cases), key=lambda item: not item[1].failed)
+    return environment.get_template("page.html").render(
+        record=record,
+        cases=[(number, case) for number, case in shown],
+        data={number: _json(_case(record, case)) for number, case in shown},
+        summary=summary(record),
+        footnotes=footnotes(record),
+        style=Markup(_asset("page.css")),
+        script=Markup(_asset("page.js")),
+    )
+
+
+def _asset(name: str) -> str:
+    return (resources.files("parity.report") / "assets" / name).read_text(
+        encoding="utf-8"
+    )
+
+
+def _json(data: Any) -> Markup:
+    """JSON inside a script element: no text in it can end the element."""
+    return Markup(
+        json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
+    )
+
+
+def _case(record: RunRecord, case: Case) -> dict[str, Any]:
+    """A case as the page's script wants it."""
+    spec = case.spec
+    return {
+        "scenario": case.scenario,
+        "mode": case.mode.name,
+        "reference": record.reference,
+        "resolution": None if spec is None else spec.resolution,
+        "origin": None if spec is None else [spec.origin_x, spec.origin_y],
+        "ports": [
+            {
+                "name": port.result.port,
+                "status": port.result.status,
+                "words": port.words,
+                "map": port.map,
+            }
+            for port in case.ports
+        ],
+        "maps": [
+            {
+                "width": int(drawn.pixels.shape[1]),
+                "height": int(drawn.pixels.shape[0]),
+                "pixels": pack(drawn.pixels.astype(np.uint8).tobytes()),
+                "logOdds": pack_log_odds(drawn.log_odds),
+            }
+            for drawn in case.maps
+        ],
+        "frames": None
+        if case.frames is None
+        else {
+            "scans": case.frames.scans,
+            "total": case.frames.total,
+            "pixels": pack_frames(case.frames.pixels),
+        },
+    }

@@ -1,0 +1,94 @@
+"""What the tests of the check share: programs that run in this process, and commands."""
+
+from __future__ import annotations
+
+import shlex
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from parity.checking.check import Options, check
+from parity.checking.classes import check_program
+from parity.checking.programs import program_from_command
+from parity.checking.reading import Observed
+from parity.checking.reference import world_of
+from parity.checking.runner import Outcome
+from parity.checking.sandbox import Limits
+from parity.checking.suite import Case
+from parity.checking.verdict import Verdict
+from parity.mistakes.arithmetic import PORTABLE, Arithmetic
+from parity.mistakes.lines import Lines
+from parity.mistakes.mapper import Array, Cells, Mapper, Mask
+from parity.modes import NOISE_FREE, Mode
+
+PROGRAMS = Path(__file__).parent / "programs"
+
+
+class MapperRunner:
+    """Runs a mapper of the catalogue, or one of a test, without a process."""
+
+    def __init__(
+        self,
+        mapper: type[Mapper],
+        log_odds: bool = True,
+        numbers: Arithmetic = PORTABLE,
+        reads_scenarios: bool = True,
+        takes_seeds: bool = True,
+    ) -> None:
+        self.mapper = mapper
+        self.log_odds = log_odds
+        self.numbers = numbers
+        self.name = self.words = mapper.name
+        self.option = "--run x"
+        self.reads_scenarios = reads_scenarios
+        self.takes_seeds = takes_seeds
+        self.plain_mode = NOISE_FREE
+
+    def run(self, case: Case, mode: Mode) -> Outcome:
+        drawn = self.mapper(world_of(case), mode.seed, self.numbers).draw()
+        pixels = drawn.pixels.astype(np.uint16)
+        log_odds = drawn.log_odds if self.log_odds else None
+        return Outcome(0.0, Observed(pixels, log_odds, "the test's map"))
+
+
+def check_mapper(mapper: type[Mapper], save: Path | None = None, **how: bool) -> Verdict:
+    """The verdict on a mapper."""
+    return check(MapperRunner(mapper, **how), Options(save=save))
+
+
+def check_words(
+    words: str, options: Options | None = None, limits: Limits | None = None
+) -> Verdict:
+    """The verdict on a command, as ``parity check --run`` makes it."""
+    program = program_from_command(words, Path.cwd(), 60.0)
+    return check_program(program, limits or Limits(), options or Options())
+
+
+def python_program(folder: Path, code: str) -> str:
+    """The command of a Python program that a test has written."""
+    path = folder / "program.py"
+    path.write_text(code)
+    return shlex.join([sys.executable, str(path)])
+
+
+def names(verdict: Verdict) -> list[str]:
+    """The likely causes."""
+    return [] if verdict.cause is None else [c.name for c in verdict.cause.candidates]
+
+
+def wrong_beam(x: float, y: float) -> type[Mapper]:
+    """A program that marks the end of the beams that end at exactly this point as free."""
+
+    class WrongBeam(Mapper):
+        name = "wrong-beam"
+        marks: tuple[Mask, ...] = ()
+
+        def to_grid(self, xs: Array, ys: Array) -> tuple[Cells, Cells]:
+            self.marks = (*self.marks[-1:], (xs == x) & (ys == y))  # of the ends, then of the starts
+            return super().to_grid(xs, ys)
+
+        def evidence(self, lines: Lines, hit: Mask) -> tuple[Lines, Mask]:
+            return super().evidence(lines, hit & ~self.marks[0])
+
+    return WrongBeam

@@ -1,0 +1,128 @@
+"""The catalogue: without a mistake it is the reference, and every mistake is caught and named."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from check.helpers import MapperRunner, check_mapper, names
+from parity.checking.check import Options, check
+from parity.checking.reference import reference_map, world_of
+from parity.checking.suite import case, scenario_folder
+from parity.checking.wording import LESSON_ONLY
+from parity.logodds import bits
+from parity.mistakes.arithmetic import PLATFORM
+from parity.mistakes.catalogue import MISTAKES
+from parity.mistakes.mapper import Mapper
+from parity.mistakes.page import COLUMNS, PAGE, page, table
+from parity.modes import Mode
+from parity.repository import find_root
+
+SCENARIOS = sorted(path.stem for path in scenario_folder().glob("*.log"))
+
+# the same cells in whatever order: nothing can tell these apart
+SAME = [{"ties-up", "ties-with-equality", "line-from-the-end"}]
+
+
+@pytest.mark.parametrize("seed", [None, 7])
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_without_a_mistake_the_mapper_draws_the_reference(name: str, seed: int | None) -> None:
+    one = case(name)
+    drawn = Mapper(world_of(one), seed).draw()
+    expected = reference_map(one, Mode(seed))
+    assert (bits(drawn.log_odds) == bits(expected.log_odds)).all()
+    assert (drawn.pixels == expected.pixels).all()
+
+
+@pytest.fixture(scope="module")
+def caught() -> dict[str, list[str]]:
+    return table()
+
+
+def test_every_mistake_is_caught_by_a_scenario(caught: dict[str, list[str]]) -> None:
+    assert [name for name, marks in caught.items() if not any(marks)] == []
+
+
+def test_some_mistakes_are_caught_by_one_scenario_only(caught: dict[str, list[str]]) -> None:
+    """What each scenario is there for."""
+    titles = [name for name, _ in COLUMNS]
+    only = {
+        name: titles[next(i for i, mark in enumerate(marks) if mark)]
+        for name, marks in caught.items()
+        if sum(map(bool, marks)) == 1
+    }
+    assert only == {
+        "no-return-ignore-unknown": "no-return-ignore",
+        "nan-is-no-return": "no-return-free",
+        "prior-not-subtracted": "prior",
+        "starts-at-zero": "prior",
+        "noise-seed-ignored": "asymmetric",
+    }
+
+
+def test_the_page_is_what_the_code_says(caught: dict[str, list[str]]) -> None:
+    assert (find_root() / PAGE).read_text(encoding="utf-8") == page(caught), "run parity mistakes --write"
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_every_mistake_fails_the_check_and_is_named(name: str) -> None:
+    verdict = check_mapper(MISTAKES[name])
+    assert verdict.overall == "differs"
+    assert verdict.exit_status == 1
+    expected = next((same for same in SAME if name in same), {name})
+    assert set(names(verdict)) == expected
+    assert verdict.cause is not None
+    assert all(one.lesson and one.where and one.title for one in verdict.cause.candidates)
+
+
+@pytest.mark.parametrize(
+    "name", ["no-clamp", "hit-also-free", "ties-with-equality-in-y", "prior-not-subtracted", "y-axis-down"]
+)
+def test_a_mistake_is_named_from_pixels_and_other_arithmetic(name: str) -> None:
+    verdict = check(MapperRunner(MISTAKES[name], log_odds=False, numbers=PLATFORM))
+    assert verdict.compared == "pixels only"
+    found = names(verdict)
+    assert name in found
+    assert set(found) <= {name, "y-flipped"}, "the picture alone cannot tell the axis from the file's order"
+
+
+class ShiftedHits(Mapper):
+    """A mistake that the catalogue does not have."""
+
+    name = "shifted"
+
+    def read(self, ranges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        z, hit, used = super().read(ranges)
+        return np.where(hit, z + 0.3, z), hit, used
+
+
+def test_nothing_is_guessed_where_no_mistake_fits() -> None:
+    verdict = check_mapper(ShiftedHits)
+    assert verdict.overall == "differs"
+    assert names(verdict) == []
+    assert verdict.cause is not None
+    assert verdict.cause.message == f"None of the {len(MISTAKES)} mistakes of the catalogue draws these maps."
+
+
+def test_a_program_with_only_the_lesson_is_checked_on_it() -> None:
+    runner = MapperRunner(
+        MISTAKES["max-range-occupied"], log_odds=False, reads_scenarios=False, takes_seeds=False
+    )
+    verdict = check(runner)
+    assert verdict.overall == "differs"
+    assert names(verdict) == ["max-range-occupied"]
+    assert LESSON_ONLY in verdict.not_checked
+    difference = verdict.first_difference
+    assert difference is not None and difference.how == "deduced"
+    assert difference.undetermined
+    assert {x.name for x in verdict.levels if x.status == "not checked"} >= {"octants", "twin"}
+
+
+def test_a_right_program_with_only_the_lesson_passes() -> None:
+    runner = MapperRunner(
+        Mapper, log_odds=False, numbers=PLATFORM, reads_scenarios=False, takes_seeds=False
+    )
+    verdict = check(runner, Options())
+    assert verdict.overall == "edges"
+    assert verdict.exit_status == 0
+    assert verdict.summary.startswith("on the lesson it differs only at cell edges")

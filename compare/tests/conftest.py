@@ -1,0 +1,150 @@
+"""What the tests share: the ports, built once, and fake ports."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import textwrap
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from parity.building import Built
+from parity.ports import Port, find_ports, read_port
+from parity.repository import find_root
+from parity.running import Silent, build_ports
+
+ROOT = find_root(Path(__file__).parent)
+PORTS = find_ports(ROOT)
+JOBS = 2
+
+
+def require_all() -> bool:
+    """Whether nothing may be skipped."""
+    return os.environ.get("PARITY_REQUIRE_ALL", "") not in ("", "0")
+
+
+def unavailable(reason: str) -> None:
+    """Skips the test for that reason, or fails where nothing may be skipped."""
+    if require_all():
+        pytest.fail(f"PARITY_REQUIRE_ALL: {reason}", pytrace=False)
+    pytest.skip(reason)
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """The repository."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Built]:
+    """Every port, built, by its name."""
+    logs = tmp_path_factory.mktemp("builds")
+    return {b.port.name: b for b in build_ports(PORTS, logs, JOBS, Silent())}
+
+
+@pytest.fixture(scope="session")
+def ready(built: dict[str, Built]) -> list[Port]:
+    """The ports that can run here."""
+    return [b.port for b in built.values() if not b.problem]
+
+
+@pytest.fixture(scope="session")
+def need(built: dict[str, Built]) -> Callable[[str], Port]:
+    """``need(name)``: the port, ready to run; skips or fails the test otherwise."""
+
+    def check(name: str) -> Port:
+        if built[name].skipped:
+            unavailable(f"{name}: {built[name].problem}")
+        if built[name].problem:
+            pytest.fail(f"{name}: {built[name].problem}", pytrace=False)
+        return built[name].port
+
+    return check
+
+
+FAKE = """
+import os, pathlib, signal, subprocess, sys, time
+
+arguments = sys.argv[1:]
+mode = arguments.pop(0)
+if mode == "--seed":
+    mode += arguments.pop(0)
+out = pathlib.Path(arguments[arguments.index("--out") + 1])
+arguments = arguments[arguments.index("--out") + 2:]
+files = [pathlib.Path(file) for file in arguments] or [pathlib.Path("lesson.log")]
+
+
+def pgm(rows):
+    lines = [" ".join(map(str, row)) for row in reversed(rows)]
+    return f"P2\\n{len(rows[0])} {len(rows)}\\n255\\n" + "\\n".join(lines) + "\\n"
+
+
+def logodds(rows):
+    lines = [" ".join(map(repr, row)) for row in rows]
+    return f"# logodds {len(rows[0])} {len(rows)}\\n" + "\\n".join(lines) + "\\n"
+
+
+def write(name, pixels=((128, 255), (0, 128), (7, 8)),
+          values=((0.0, -3.5), (8.0, 0.1), (1.5, 0.25)), yaml=None):
+    (out / f"{name}.pgm").write_text(pgm(pixels))
+    (out / f"{name}.logodds").write_text(logodds(values))
+    (out / f"{name}.yaml").write_text(yaml or f"image: {name}.pgm\\nnegate: 0\\n")
+
+"""
+WELL = """
+for file in files:
+    write(file.stem)
+"""
+
+
+@pytest.fixture
+def fake_root(tmp_path: Path) -> Path:
+    """A repository with scenarios a, b and c and a fake port python that is well."""
+    (tmp_path / "SPEC.md").write_text("")
+    (tmp_path / "scenarios" / "golden").mkdir(parents=True)
+    for name in "abc":
+        (tmp_path / "scenarios" / f"{name}.log").write_text("POSE 0 0 0\n")
+    make_fake(tmp_path, "python", WELL)
+    return tmp_path
+
+
+def make_fake(
+    root: Path,
+    name: str,
+    body: str = WELL,
+    extra: str = "",
+    timeout: float = 20,
+) -> Port:
+    """Declares a fake port whose program is FAKE and then ``body``."""
+    folder = root / name
+    folder.mkdir()
+    (folder / "program.py").write_text(FAKE + textwrap.dedent(body))
+    run = [
+        sys.executable,
+        "{port}/program.py",
+        "{mode}",
+        "--out",
+        "{out}",
+        "{scenarios}",
+    ]
+    (folder / "port.toml").write_text(
+        f'name = "{name}"\nlanguage = "fake"\nrun = {json.dumps(run)}\n'
+        f"timeout = {timeout}\n{extra}"
+    )
+    return read_port(folder / "port.toml")
+
+
+@pytest.fixture
+def fake(fake_root: Path) -> Callable[..., Port]:
+    """``fake(name, body, extra="", timeout=20)`` makes a fake port in fake_root."""
+
+    def make(
+        name: str, body: str = WELL, extra: str = "", timeout: float = 20
+    ) -> Port:
+        return make_fake(fake_root, name, body, extra, timeout)
+
+    return make

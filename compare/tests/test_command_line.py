@@ -1,0 +1,176 @@
+"""The command line is the same for every port (SPEC section 6)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from parity.outputs import SUFFIXES
+from parity.ports import Port
+from parity.processes import Finished, run_process
+
+from .conftest import PORTS, ROOT
+
+GOOD = ROOT / "scenarios" / "asymmetric.log"
+OTHER = ROOT / "scenarios" / "one-beam.log"
+PLACEHOLDERS = ("{mode}", "--out", "{out}", "{scenario}", "{scenarios}")
+
+
+def command_line(port: Port, *arguments: str | Path) -> list[str]:
+    """The port's program, with these arguments in place of its template's."""
+    begin = min(i for i, word in enumerate(port.run) if word in PLACEHOLDERS)
+    assert set(port.run[begin:]) <= set(PLACEHOLDERS)
+    return [*port.command(port.run[:begin]), *map(str, arguments)]
+
+
+def run_port(port: Port, folder: Path, *arguments: str | Path) -> Finished:
+    return run_process(
+        command_line(port, *arguments),
+        cwd=folder,
+        stdout=folder / f"{port.name}.stdout",
+        stderr=folder / f"{port.name}.stderr",
+        time_limit=port.timeout,
+    )
+
+
+def files(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+each_port = pytest.mark.parametrize("name", [port.name for port in PORTS])
+
+
+@each_port
+def test_without_options_it_prints_the_map_with_seed_0(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    finished = run_port(need(name), tmp_path, GOOD)
+    golden = ROOT / "scenarios" / "golden"
+    seed_0 = (golden / f"{GOOD.stem}.seed-0.pgm").read_bytes()
+    noise_free = (golden / f"{GOOD.stem}.noise-free.pgm").read_bytes()
+    assert seed_0 != noise_free, "this scenario does not tell the modes apart"
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    assert finished.stdout.read_bytes() == seed_0
+    assert files(tmp_path) == [f"{name}.stderr", f"{name}.stdout"]
+
+
+@each_port
+def test_options_and_scenarios_stand_in_any_order_and_the_last_counts(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    port = need(name)
+    first, last = tmp_path / "first", tmp_path / "new" / "last"
+    words = [
+        GOOD,
+        "--seed",
+        "1",
+        "--out",
+        first,
+        OTHER,
+        "--seed",
+        "7",
+        "--out",
+        last,
+    ]
+    finished = run_port(port, tmp_path, *words)
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    assert finished.stdout.read_bytes() == b""
+    assert not first.exists()
+    names = [GOOD.stem, OTHER.stem]
+    assert files(last) == sorted(
+        n + suffix for n in names for suffix in SUFFIXES
+    )
+    plain = tmp_path / "plain"
+    assert run_port(
+        port, tmp_path, "--out", plain, "--seed", "7", GOOD
+    ).succeeded
+    for suffix in SUFFIXES:
+        file = f"{GOOD.stem}{suffix}"
+        assert (last / file).read_bytes() == (plain / file).read_bytes()
+
+
+@each_port
+def test_replaces_files_and_names_maps_as_the_contract_says(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    """A relative path, a blank and dots in the name; a map of that name is there already."""
+    scenario = tmp_path / "the last.one.log"
+    scenario.write_bytes(OTHER.read_bytes())
+    out = tmp_path / "out put"
+    out.mkdir()
+    (out / "the last.one.pgm").write_text("of yesterday")
+    finished = run_port(
+        need(name), tmp_path, "--out", "out put", scenario.name
+    )
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    assert files(out) == sorted("the last.one" + suffix for suffix in SUFFIXES)
+    assert (out / "the last.one.pgm").read_text().startswith("P2\n")
+    assert (
+        (out / "the last.one.yaml")
+        .read_text()
+        .startswith("image: the last.one.pgm\n")
+    )
+
+
+USAGE = {
+    "unknown-option": ["--noisy"],
+    "no-seed": ["--seed"],
+    "negative-seed": ["--seed", "-1"],
+    "large-seed": ["--seed", "4294967296"],
+    "text-seed": ["--seed", "1.0"],
+    "empty-out": ["--out"],
+    "two-modes": ["--noise-free", "--seed", "1"],
+    "two-modes-turned": ["--seed", "0", "--noise-free"],
+    "several-without-out": [str(GOOD), str(OTHER)],
+    "same-name": ["--out", "out", str(GOOD), str(GOOD)],
+    "before-reading": [
+        "/nowhere/a.log",
+        "--out",
+        "out",
+        "/nowhere/b.log",
+        "--oops",
+    ],
+}
+
+
+@pytest.mark.parametrize("arguments", USAGE.values(), ids=USAGE)
+@each_port
+def test_bad_usage(
+    need: Callable[[str], Port],
+    tmp_path: Path,
+    name: str,
+    arguments: list[str],
+) -> None:
+    finished = run_port(need(name), tmp_path, *arguments)
+    said = finished.stderr.read_text()
+    assert (finished.exit_status, finished.stdout.read_bytes()) == (2, b""), (
+        said
+    )
+    assert "usage" in said.lower()
+    assert len(said.splitlines()) >= 2
+    assert files(tmp_path) == [f"{name}.stderr", f"{name}.stdout"]
+
+
+@each_port
+def test_help_and_version(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    port = need(name)
+    finished = run_port(port, tmp_path, "--version")
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    (line,) = finished.stdout.read_text().splitlines()
+    assert line.startswith("occgrid ")
+    finished = run_port(port, tmp_path, "--help")
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    text = finished.stdout.read_text()
+    for word in (
+        "occgrid",
+        "--noise-free",
+        "--seed",
+        "--out",
+        "SCENARIO",
+        "--version",
+    ):
+        assert word in text

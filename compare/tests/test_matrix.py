@@ -1,0 +1,80 @@
+"""The parity matrix: every port, every scenario, both modes, every bit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from parity.building import Built
+from parity.modes import DEFAULT_MODES
+from parity.outputs import SUFFIXES
+from parity.ports import Port
+from parity.record import RunRecord
+from parity.running import Plan, run
+from parity.scenarios import choose_scenarios
+from parity.table import explain
+
+from .conftest import JOBS, PORTS, ROOT
+
+SCENARIOS = choose_scenarios(ROOT, [])
+
+
+@pytest.fixture(scope="session")
+def matrix(
+    root: Path,
+    built: dict[str, Built],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> RunRecord:
+    """The run of all ports over all scenarios in both modes."""
+    plan = Plan(
+        ports=PORTS,
+        scenarios=SCENARIOS,
+        modes=DEFAULT_MODES,
+        folder=tmp_path_factory.mktemp("matrix"),
+        golden=root / "scenarios" / "golden",
+        jobs=JOBS,
+        built=list(built.values()),
+    )
+    return run(plan)
+
+
+@pytest.mark.parametrize("mode", [mode.name for mode in DEFAULT_MODES])
+@pytest.mark.parametrize("scenario", [scenario.name for scenario in SCENARIOS])
+@pytest.mark.parametrize("port", [port.name for port in PORTS])
+def test_map(
+    matrix: RunRecord,
+    need: Callable[[str], Port],
+    port: str,
+    scenario: str,
+    mode: str,
+) -> None:
+    need(port)
+    result = matrix.result(port, scenario, mode)
+    if result.status != "identical":
+        pytest.fail("\n".join(explain(result)), pytrace=False)
+    assert "golden" in result.compared_with
+    assert "python" in [port, *result.compared_with]
+
+
+@pytest.mark.parametrize("port", [port.name for port in PORTS])
+def test_writes_its_files_and_no_other(
+    matrix: RunRecord, need: Callable[[str], Port], port: str
+) -> None:
+    need(port)
+    maps = {scenario.name: scenario.map for scenario in SCENARIOS}
+    for process in matrix.processes:
+        if process.port == port:
+            folder = Path(matrix.folder) / process.folder
+            found = sorted(path.name for path in folder.iterdir())
+            names = [maps[scenario] for scenario in process.scenarios]
+            assert found == sorted(n + s for n in names for s in SUFFIXES)
+
+
+@pytest.mark.parametrize("port", [port.name for port in PORTS])
+def test_tells_its_version(
+    built: dict[str, Built], need: Callable[[str], Port], port: str
+) -> None:
+    need(port)
+    assert str(built[port].version).startswith("occgrid ")
