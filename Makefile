@@ -60,6 +60,13 @@ $(PORTS): setup-run  ## Build the port
 $(PARTS:%=test-%) test-compare: test-%: setup  ## Its tests; also test-lint and test-compare
 	@$(MAKE) --no-print-directory run-$@
 
+##@ Course
+
+.PHONY: handouts
+handouts: setup  ## The course handouts, a PDF and a page for each language, in build/handouts
+	$(BIN)/parity build --jobs $(JOBS) --allow-skipped
+	$(BIN)/python handouts/build.py --out build/handouts
+
 ##@ Housekeeping
 
 .PHONY: format

@@ -20,8 +20,10 @@ from parity.carmen import (
     make_scenario,
     short,
 )
+from parity.checking.command import check_command
 from parity.errors import MAX_CELLS
 from parity.golden_check import changes, make_golden, strays, write_golden
+from parity.mistakes.command import mistakes_command
 from parity.modes import DEFAULT_MODES, Mode, parse_mode
 from parity.ports import DECLARATION, Port, PortError, find_ports, read_port
 from parity.progress import ConsoleProgress
@@ -41,6 +43,9 @@ app = typer.Typer(
 )
 
 WIDTH = 120
+
+app.command("check")(check_command)
+app.command("mistakes")(mistakes_command)
 
 Root = Annotated[
     Path | None,

@@ -12,7 +12,7 @@ from parity.errors import OutputError
 from parity.golden import read_golden
 from parity.mapping import Mapped
 from parity.modes import Mode
-from parity.outputs import MapOutput, read_map
+from parity.outputs import MapOutput, read_map, same_files
 from parity.record import Difference, Result, Status
 from parity.scenarios import ScenarioFile
 
@@ -67,11 +67,13 @@ class _Judge:
             places,
         )
         self.reference: MapOutput | None = None
+        self.reference_folder: Path | None = None
         self.no_reference = "it has not run"
         place = places.get((court.reference, scenario.name, mode.name))
         if place is not None:
             try:
                 self.reference = self.read(place[1])
+                self.reference_folder = place[1].folder
             except (OutputError, _Failed) as error:
                 self.no_reference = str(error)
         self.golden, self.golden_error = None, ""
@@ -82,10 +84,17 @@ class _Judge:
                 self.golden_error = f"golden result: {error}"
 
     def read(self, one: Mapped) -> MapOutput:
-        """The map that a process wrote; raises OutputError or _Failed without one."""
+        """The map that a process wrote; raises OutputError or _Failed without one.
+
+        Files that are the reference's byte for byte are not read once more.
+        """
         if not one.finished.succeeded:
             raise _Failed(one.finished.failure())
-        return read_map(one.folder, self.scenario.map)
+        folder, name = one.folder, self.scenario.map
+        if self.reference is not None and self.reference_folder is not None:
+            if same_files(folder, self.reference_folder, name):
+                return self.reference
+        return read_map(folder, name)
 
     def result(self, built: Built) -> Result:
         """What is to say of one port."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import filecmp
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -38,6 +39,16 @@ def missing_files(folder: Path, name: str) -> list[str]:
     """Which of a map's files the folder does not have."""
     files = [name + suffix for suffix in SUFFIXES]
     return [file for file in files if not (folder / file).is_file()]
+
+
+def same_files(folder: Path, other: Path, name: str) -> bool:
+    """Whether both folders have all files of the map, equal byte for byte."""
+    if missing_files(folder, name) or missing_files(other, name):
+        return False
+    return all(
+        filecmp.cmp(folder / file, other / file, shallow=False)
+        for file in (name + suffix for suffix in SUFFIXES)
+    )
 
 
 def read_map(folder: Path, name: str) -> MapOutput:

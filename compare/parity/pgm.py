@@ -51,13 +51,15 @@ def _row(line: bytes, width: int, lines: LineReader) -> Pixels:
         raise lines.error("pixels are not separated by one space each")
     if len(words) != width:
         raise lines.error(f"{len(words)} pixels, expected {width}")
+    levels = {}
     for word in set(words):
         if not PIXEL.fullmatch(word) or int(word) > 255:
             column = words.index(word) + 1
             raise lines.error(
                 f"pixel {column} is {shown(word)}, expected 0 to 255"
             )
-    return np.array([int(word) for word in words], dtype=np.uint16)
+        levels[word] = int(word)
+    return np.fromiter(map(levels.__getitem__, words), np.uint16, width)
 
 
 def read_any_pgm(path: Path) -> Pixels:

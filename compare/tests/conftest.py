@@ -16,6 +16,8 @@ from parity.ports import Port, find_ports, read_port
 from parity.repository import find_root
 from parity.running import Silent, build_ports
 
+from .reported import Ran, run_and_report
+
 ROOT = find_root(Path(__file__).parent)
 PORTS = find_ports(ROOT)
 JOBS = 2
@@ -148,3 +150,11 @@ def fake(fake_root: Path) -> Callable[..., Port]:
         return make_fake(fake_root, name, body, extra, timeout)
 
     return make
+
+
+@pytest.fixture(scope="session")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> Ran:
+    """A run to report on."""
+    return run_and_report(
+        tmp_path_factory.mktemp("ports"), tmp_path_factory.mktemp("run")
+    )

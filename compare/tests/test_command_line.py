@@ -62,7 +62,7 @@ def test_options_and_scenarios_stand_in_any_order_and_the_last_counts(
 ) -> None:
     port = need(name)
     first, last = tmp_path / "first", tmp_path / "new" / "last"
-    words = [
+    words: list[str | Path] = [
         GOOD,
         "--seed",
         "1",

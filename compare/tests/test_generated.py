@@ -63,7 +63,10 @@ def a_range(source: random.Random, max_range: float) -> str:
 def scenario_text(seed: int) -> str:
     """A scenario; the same for the same seed."""
     source = random.Random(seed)
-    gap = lambda: source.choice([" ", " ", "\t", "  ", " \t "])  # noqa: E731
+
+    def gap() -> str:
+        return source.choice([" ", " ", "\t", "  ", " \t "])
+
     width, height = source.randint(1, 70), source.randint(1, 70)
     resolution = source.choice(
         [0.05, 0.1, 0.25, 1.0, source.uniform(0.01, 2.0)]

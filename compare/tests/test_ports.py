@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -101,7 +101,12 @@ def test_fills_in_a_template() -> None:
         "{",
         "{}",
     ]
-    values = {"a": Path("/p"), "b": "q", "list": ["1", Path("2")], "none": []}
+    values: dict[str, str | Path | Sequence[str | Path]] = {
+        "a": Path("/p"),
+        "b": "q",
+        "list": ["1", Path("2")],
+        "none": [],
+    }
     expected = ["/p/x", "1", "2", "-D/p=q", "{unknown}", "{", "{}"]
     assert expand(template, values) == expected
 

@@ -124,14 +124,19 @@ writeText[path_, text_] := TrueQ[Quiet[Check[
     FileByteCount[path] == StringLength[text]],
   False]]];
 
-(* RenameFile replaces a file only when told to; interpreters that do not know
-   the option leave the expression as it is, and replace files anyway. *)
+(* RenameFile replaces a file only when told to. Interpreters that do not know
+   the option either leave the expression as it is and replace files anyway, or
+   refuse: then the old file goes first. *)
 renameOver[from_, to_] := Module[{result},
   If[DirectoryQ[to], Return[False, Module]];
   result = Quiet[Check[
     RenameFile[from, to, OverwriteTarget -> True], $Failed]];
   If[Head[result] === RenameFile,
     result = Quiet[Check[RenameFile[from, to], $Failed]]];
+  If[!StringQ[result],
+    result = Quiet[Check[
+      If[FileExistsQ[to], DeleteFile[to]];
+      RenameFile[from, to], $Failed]]];
   StringQ[result]];
 
 End[];

@@ -307,12 +307,12 @@ With[{
     choose[atLeast[x, high], 0.28125, atLeast[x, low]*qx]]];
 
 PortableSin[NegativeZero] = NegativeZero;
-PortableSin[x_?NumericQ] := First[PortableSin[{x}]];
+PortableSin[x_?NumericQ] := First[PortableSin[{N[x]}]];
 PortableSin[Infinity] = Indeterminate;
 PortableSin[-Infinity] = Indeterminate;
 PortableSin[Indeterminate] = Indeterminate;
 PortableCos[NegativeZero] = 1.;
-PortableCos[x_?NumericQ] := First[PortableCos[{x}]];
+PortableCos[x_?NumericQ] := First[PortableCos[{N[x]}]];
 PortableCos[Infinity] = Indeterminate;
 PortableCos[-Infinity] = Indeterminate;
 PortableCos[Indeterminate] = Indeterminate;
@@ -350,7 +350,7 @@ With[{
 PortableExp[x_?NumericQ] := Which[
   x - expOverflow > 0, Infinity,
   x - expUnderflow < 0, 0.,
-  True, First[expInside[{x}]]];
+  True, First[expInside[{N[x]}]]];
 PortableExp[x_List] := Module[{far, result},
   (* beyond 700 the result may be infinite or subnormal: one by one *)
   far = Pick[Range[Length[x]], UnitStep[Abs[x] - 700.], 1];
@@ -405,7 +405,7 @@ With[{
 PortableLog[x_?NumericQ] := Which[
   x == 0, -Infinity,
   x < 0, Indeterminate,
-  True, First[logInside[{x}]]];
+  True, First[logInside[{N[x]}]]];
 PortableLog[x_List] := logInside[x];
 (* [/snippet] *)
 

@@ -139,7 +139,9 @@ class _Check:
 
     # --- levels ---
 
-    def level(self, name: str, title: str, status: LevelStatus, **more: object) -> None:
+    def level(
+        self, name: str, title: str, status: LevelStatus, **more: object
+    ) -> None:
         self.levels.append(Level(name, title, status, **more))  # type: ignore[arg-type]
 
     def plans(self) -> list[tuple[LevelPlan, list[tuple[Case, Mode]]]]:
@@ -162,7 +164,9 @@ class _Check:
                 names = tuple(name for name in names if name == LESSON)
             if plan.noisy and not self.runner.takes_seeds:
                 names = ()
-            runs = [(self.case(name), mode) for name in names for mode in modes]
+            runs = [
+                (self.case(name), mode) for name in names for mode in modes
+            ]
             plans.append((plan, runs))
         return plans
 
@@ -182,7 +186,10 @@ class _Check:
         """It runs, and its file is a picture of the right size."""
         outcome = self.run(one, mode)
         if not outcome.ran:
-            self.fail(*RUNS, LevelFailed(outcome.word, f"{one.name}: {outcome.message}"))
+            self.fail(
+                *RUNS,
+                LevelFailed(outcome.word, f"{one.name}: {outcome.message}"),
+            )
         self.level(*RUNS, "passed")
         try:
             self.judge(one, mode)
@@ -195,7 +202,10 @@ class _Check:
                     self.fail_orientation(names, one)
             self.fail(
                 *FILE,
-                LevelFailed(failed.word, f"your file is wrong, not your mapping: {failed.message}"),
+                LevelFailed(
+                    failed.word,
+                    f"your file is wrong, not your mapping: {failed.message}",
+                ),
             )
         self.level(*FILE, "passed")
 
@@ -249,17 +259,34 @@ class _Check:
             if status == "differs":
                 self.failed = judged
                 message = f"{title}: {judged.result.message}"
-                self.fail(plan.name, plan.title, LevelFailed("differs", message, results))
+                self.fail(
+                    plan.name,
+                    plan.title,
+                    LevelFailed("differs", message, results),
+                )
             if judged.result.message != "identical":
                 said.append(f"{title}: {judged.result.message}")
-            if status == "edges" or (status == "halves" and worst == "identical"):
+            if status == "edges" or (
+                status == "halves" and worst == "identical"
+            ):
                 worst = status
-        self.level(plan.name, plan.title, worst, message="; ".join(said), cases=results)
+        self.level(
+            plan.name,
+            plan.title,
+            worst,
+            message="; ".join(said),
+            cases=results,
+        )
 
     def fail(self, name: str, title: str, failed: LevelFailed) -> None:
         """Records the level that ends the check, and ends it."""
         self.level(
-            name, title, "failed", word=failed.word, message=failed.message, cases=failed.cases
+            name,
+            title,
+            "failed",
+            word=failed.word,
+            message=failed.message,
+            cases=failed.cases,
         )
         raise failed
 
@@ -288,7 +315,9 @@ class _Check:
                     self.notes[found.message] = None
                 elif found.candidates and rounded:
                     cause, overall = found, "differs"
-                    self.failed = min(rounded, key=lambda j: j.observed.pixels.size)
+                    self.failed = min(
+                        rounded, key=lambda j: j.observed.pixels.size
+                    )
                     summary = (
                         "grey values halfway between two levels differ, and they are exactly those of a mistake: "
                         f"{found.candidates[0].title}"
@@ -314,7 +343,11 @@ class _Check:
     def success(self) -> tuple[Overall, str]:
         """Overall and summary where no level has failed."""
         levels = {level.name: level for level in self.levels}
-        edges = [x.title for x in self.levels if x.status == "edges" and x.name != "twin"]
+        edges = [
+            x.title
+            for x in self.levels
+            if x.status == "edges" and x.name != "twin"
+        ]
         halves = sum(j.compared.halves for j in self.judged.values())
         greys = wording.plural(halves, "grey value")
         but = (
@@ -341,7 +374,11 @@ class _Check:
 
     def misread_evidence(self) -> list[Evidence]:
         """Maps of another size: they say something of a mistake, too."""
-        cases = {one.digest: one for one in map(self.case, EVIDENCE)} if self.misread else {}
+        cases = (
+            {one.digest: one for one in map(self.case, EVIDENCE)}
+            if self.misread
+            else {}
+        )
         return [
             Evidence(cases[digest], mode, outcome.observed, "differs")
             for (digest, mode), outcome in self.outcomes.items()
@@ -365,7 +402,12 @@ class _Check:
         if self.failed is None:
             return None
         difference, runs = explain_difference(
-            self.runner, self.failed.case, self.failed.mode, self.failed.observed, strict, self.options.save
+            self.runner,
+            self.failed.case,
+            self.failed.mode,
+            self.failed.observed,
+            strict,
+            self.options.save,
         )
         self.runs += runs
         return difference
@@ -414,8 +456,14 @@ def broken(runner: Runner, word: str, message: str) -> Verdict:
     """The verdict on a program that could not even be run."""
     level = Level(*RUNS, "failed", word=word, message=message)
     verdict = Verdict(
-        SCHEMA, runner.name, runner.words, "failed", f"{word}: {message}", "nothing", 0.0, 0, [level]
+        SCHEMA,
+        runner.name,
+        runner.words,
+        "failed",
+        f"{word}: {message}",
+        "nothing",
+        0.0,
+        0,
+        [level],
     )
     return replace(verdict)
-
-

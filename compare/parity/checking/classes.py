@@ -66,7 +66,9 @@ def check_class(
 ) -> list[Submission]:
     """Checks every folder in ``folder``; writes one record and text each, and the summary, into ``out``."""
     places = sorted(
-        p for p in folder.iterdir() if p.is_dir() and not p.name.startswith(".")
+        p
+        for p in folder.iterdir()
+        if p.is_dir() and not p.name.startswith(".")
     )
     progress.total(len(places))
     out.mkdir(parents=True, exist_ok=True)
@@ -97,18 +99,26 @@ def check_submission(
     blank = Program(place.name, ("?",), place, words="")
     runner = CommandRunner(blank, place, limits)
     if not (place / DECLARATION).is_file():
-        return broken(runner, "no port.toml", f"{place.name} has no {DECLARATION}")
+        return broken(
+            runner, "no port.toml", f"{place.name} has no {DECLARATION}"
+        )
     try:
         program = program_from_port(place, timeout)
     except PortError as error:
         return broken(runner, "bad port.toml", str(error))
-    own = Limits(program.timeout, limits.output, limits.memory, limits.processes)
+    own = Limits(
+        program.timeout, limits.output, limits.memory, limits.processes
+    )
     try:
         return check_program(program, own, options, stop)
     except Stopped:
         raise
-    except Exception as error:  # the harness's own fault must not end the class
-        return broken(runner, "harness error", f"{type(error).__name__}: {error}")
+    except (
+        Exception
+    ) as error:  # the harness's own fault must not end the class
+        return broken(
+            runner, "harness error", f"{type(error).__name__}: {error}"
+        )
 
 
 def summary_csv(submissions: Sequence[Submission]) -> str:

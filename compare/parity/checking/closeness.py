@@ -21,7 +21,7 @@ import numpy.typing as npt
 from occgrid.grid import sigmoid
 from parity.checking.reading import Observed
 from parity.checking.reference import reference_map, world_of
-from parity.checking.rounding import U, Beams, beams_of
+from parity.checking.rounding import Beams, U, beams_of
 from parity.checking.sides import (
     Distance,
     Model,
@@ -39,7 +39,9 @@ Mask = npt.NDArray[np.bool_]
 Closeness = Literal["identical", "halves", "edges", "differs"]
 
 STEP_ULPS = 8
-LAST_BITS = 1e-9  # other steps are looked for only where some value is off by less
+LAST_BITS = (
+    1e-9  # other steps are looked for only where some value is off by less
+)
 MOST_CELLS = 4000
 
 
@@ -80,7 +82,7 @@ def compare(
 
 def differing(observed: Observed, drawn: Drawn) -> Mask:
     """The cells whose pixel or log-odds are not the same."""
-    wrong = (observed.pixels != drawn.pixels)[::-1]
+    wrong: Mask = (observed.pixels != drawn.pixels)[::-1]
     if observed.log_odds is not None:
         wrong = wrong | (bits(observed.log_odds) != bits(drawn.log_odds))
     return wrong
@@ -141,9 +143,7 @@ class _Search:
             else:
                 unexplained |= open_cells
         halves = int(
-            np.count_nonzero(
-                same & level & (self.pixels != _levels(expected))
-            )
+            np.count_nonzero(same & level & (self.pixels != _levels(expected)))
         )
         status: Closeness = "identical"
         if unexplained.any():
@@ -209,7 +209,9 @@ class _Search:
                     continue
                 if best == 0:
                     break
-                drawn = _WithSteps(self.world, self.mode.seed, starts[0], f, o).draw()
+                drawn = _WithSteps(
+                    self.world, self.mode.seed, starts[0], f, o
+                ).draw()
                 count = int(np.count_nonzero(differing(self.observed, drawn)))
                 if count < best:
                     best, self.drawn, self.steps = count, drawn, (f, o)
@@ -222,7 +224,12 @@ class _WithSteps(Mapper):
     """The contract with other log-odds to start from and to add."""
 
     def __init__(
-        self, world: World, seed: int | None, start: float, free: float, occupied: float
+        self,
+        world: World,
+        seed: int | None,
+        start: float,
+        free: float,
+        occupied: float,
     ) -> None:
         super().__init__(world, seed)
         self.own = start, free, occupied
@@ -279,7 +286,7 @@ def _levels(log_odds: Array) -> Cells:
 
 
 def grey_levels(log_odds: Array, updates: Array) -> tuple[Cells, Cells]:
-    """The least and the largest pixel that rounding can make of log-odds that have ``updates`` roundings behind them."""
+    """The least and the largest pixel that rounding can make of log-odds with so many updates behind them."""
     grey = _grey(log_odds)
     blur = 255.0 * (16.0 + 2.0 * updates) * U
     low = np.floor(grey - blur).astype(np.int64)

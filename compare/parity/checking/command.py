@@ -44,25 +44,34 @@ PortFile = Annotated[
 ClassFolder = Annotated[
     Path | None,
     typer.Option(
-        "--class", metavar="DIR", help="Many programs: a folder with port.toml each."
+        "--class",
+        metavar="DIR",
+        help="Many programs: a folder with port.toml each.",
     ),
 ]
 Scenarios = Annotated[
     list[str] | None,
     typer.Option(
-        "--scenario", metavar="NAME|FILE", help="Check on this only; may be repeated."
+        "--scenario",
+        metavar="NAME|FILE",
+        help="Check on this only; may be repeated.",
     ),
 ]
 Modes = Annotated[
     list[str] | None,
-    typer.Option("--mode", metavar="MODE", help="noise-free or seed-N, with --scenario."),
+    typer.Option(
+        "--mode", metavar="MODE", help="noise-free or seed-N, with --scenario."
+    ),
 ]
 Out = Annotated[
     Path,
-    typer.Option(metavar="DIR", help="For the record and the minimal scenario."),
+    typer.Option(
+        metavar="DIR", help="For the record and the minimal scenario."
+    ),
 ]
 JsonFile = Annotated[
-    Path | None, typer.Option("--json", metavar="FILE", help="A copy of the record.")
+    Path | None,
+    typer.Option("--json", metavar="FILE", help="A copy of the record."),
 ]
 Timeout = Annotated[
     float | None,
@@ -72,18 +81,30 @@ Timeout = Annotated[
     ),
 ]
 Output = Annotated[
-    int, typer.Option("--max-output", min=1, help="MiB that one run may write.")
+    int,
+    typer.Option("--max-output", min=1, help="MiB that one run may write."),
 ]
 Memory = Annotated[
-    int, typer.Option("--max-memory", min=16, help="MiB of memory that one run may use.")
+    int,
+    typer.Option(
+        "--max-memory", min=16, help="MiB of memory that one run may use."
+    ),
 ]
 Processes = Annotated[
-    int, typer.Option("--max-processes", min=1, help="Processes at a time in one run.")
+    int,
+    typer.Option(
+        "--max-processes", min=1, help="Processes at a time in one run."
+    ),
 ]
 Explain = Annotated[
-    bool, typer.Option("--explain/--no-explain", help="Look for cause and first difference.")
+    bool,
+    typer.Option(
+        "--explain/--no-explain", help="Look for cause and first difference."
+    ),
 ]
-Jobs = Annotated[int, typer.Option(min=1, help="With --class: how many side by side.")]
+Jobs = Annotated[
+    int, typer.Option(min=1, help="With --class: how many side by side.")
+]
 
 
 def check_command(
@@ -110,11 +131,16 @@ def check_command(
     """
     console = Console()
     limits = Limits(
-        timeout or DEFAULT_TIMEOUT, max_output * MEBI, max_memory * MEBI, max_processes
+        timeout or DEFAULT_TIMEOUT,
+        max_output * MEBI,
+        max_memory * MEBI,
+        max_processes,
     )
     try:
         if sum(x is not None for x in (run, port, class_folder)) != 1:
-            raise ValueError("say one of --run 'CMD', --port FILE, --class DIR")
+            raise ValueError(
+                "say one of --run 'CMD', --port FILE, --class DIR"
+            )
         cases = [_case(word) for word in scenario or []]
         modes = [parse_mode(word) for word in mode or []]
         if modes and not cases:
@@ -132,9 +158,13 @@ def check_command(
         _print(console, problem)
         raise typer.Exit(1)
     if class_folder is not None:
-        _check_class(console, class_folder, out, limits, jobs, cases, modes, timeout)
+        _check_class(
+            console, class_folder, out, limits, jobs, cases, modes, timeout
+        )
     assert program is not None
-    own = Limits(program.timeout, limits.output, limits.memory, limits.processes)
+    own = Limits(
+        program.timeout, limits.output, limits.memory, limits.processes
+    )
     options = Options(cases, modes, explain, out)
     verdict = check_program(program, own, options)
     out.mkdir(parents=True, exist_ok=True)
@@ -162,7 +192,10 @@ def _check_class(
             folder, out, limits, jobs, progress, cases, modes, timeout
         )
     good = sum(one.verdict.exit_status == 0 for one in found)
-    _print(console, f"{good} of {len(found)} are as they should be; {out / SUMMARY}")
+    _print(
+        console,
+        f"{good} of {len(found)} are as they should be; {out / SUMMARY}",
+    )
     raise typer.Exit(0 if found and good == len(found) else 1)
 
 
@@ -170,7 +203,9 @@ def _program(
     run: str | None, port: Path | None, timeout: float | None
 ) -> Program | None:
     if run is not None:
-        return program_from_command(run, Path.cwd(), timeout or DEFAULT_TIMEOUT)
+        return program_from_command(
+            run, Path.cwd(), timeout or DEFAULT_TIMEOUT
+        )
     return None if port is None else program_from_port(port, timeout)
 
 

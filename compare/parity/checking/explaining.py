@@ -30,7 +30,9 @@ class _Trials:
 
     def judge(self, case: Case, observed: Observed) -> Trial:
         compared = compare(observed, case, self.mode)
-        wanted = {"identical"} if self.strict else {"identical", "halves", "edges"}
+        wanted = (
+            {"identical"} if self.strict else {"identical", "halves", "edges"}
+        )
         return Trial(case, observed, compared, compared.status not in wanted)
 
     def attempt(self, case: Case) -> Trial:
@@ -43,7 +45,9 @@ class _Trials:
                 )
             expected = reference_map(case, self.mode).pixels.shape
             if outcome.observed.pixels.shape != expected:
-                raise SearchFailed("on a part of the scenario its map has another size")
+                raise SearchFailed(
+                    "on a part of the scenario its map has another size"
+                )
             self.known[case.digest] = self.judge(case, outcome.observed)
         return self.known[case.digest]
 
@@ -64,11 +68,15 @@ def explain_difference(
         return report_deduced(case, mode, observed, own_poses=True), 0
     trials = _Trials(runner, mode, strict)
     try:
-        found = search(case, mode, trials.judge(case, observed), trials.attempt)
+        found = search(
+            case, mode, trials.judge(case, observed), trials.attempt
+        )
     except SearchFailed as failed:
         deduced = report_deduced(case, mode, observed, own_poses=False)
         if deduced is not None:
-            deduced = replace(deduced, undetermined=[str(failed)], runs=trials.runs)
+            deduced = replace(
+                deduced, undetermined=[str(failed)], runs=trials.runs
+            )
         return deduced, trials.runs
     report = report_found(case, mode, found, trials.runs)
     if save is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shlex
 import shutil
 import sys
@@ -63,22 +64,29 @@ class Program:
         self, scenario: Path | None, out: Path, pgm: Path, mode: Mode
     ) -> list[str]:
         """The command of one run."""
-        files = [] if scenario is None else [scenario]
-        whole = {"mode": mode.arguments, "scenario": files, "scenarios": files}
-        inner = {
-            "port": self.folder,
+        files = [] if scenario is None else [str(scenario)]
+        lists = {
+            "mode": mode.arguments,
+            "scenario": files,
+            "scenarios": files,
+        }
+        texts = {
+            **{name: " ".join(words) for name, words in lists.items()},
+            "port": str(self.folder),
             "python": sys.executable,
-            "out": out,
-            "pgm": pgm,
+            "out": str(out),
+            "pgm": str(pgm),
             "seed": str(mode.seed or 0),
         }
         command: list[str] = []
         for argument in self.command:
-            if argument[1:-1] in whole and argument[:1] + argument[-1:] == "{}":
-                command += expand([argument], whole)
+            alone = (
+                argument[1:-1] if argument == f"{{{argument[1:-1]}}}" else ""
+            )
+            if alone in lists:
+                command += lists[alone]
             else:
-                texts = {k: " ".join(map(str, v)) for k, v in whole.items()}
-                command += expand([argument], {**inner, **texts})
+                command += expand([argument], texts)
         return command
 
 
@@ -105,17 +113,20 @@ def program_from_command(text: str, start: Path, timeout: float) -> Program:
 
 
 def _absolute(word: str, start: Path) -> str:
-    """A word that names a file or folder as its full path; others as they are."""
+    """A word that names a file or folder as its full path; others as they are.
+
+    Links are kept: the python of a virtual environment is one.
+    """
     if "{" in word or word.startswith("-") or not word:
         return word
     path = start / word
     is_there = path.is_file() or (path.is_dir() and "/" in word)
-    return str(path.resolve()) if is_there or word.startswith("./") else word
+    return str(path.absolute()) if is_there or word.startswith("./") else word
 
 
 def _name(words: Sequence[str]) -> str:
     """The program's own name, not its interpreter's."""
-    plain = [w for w in words if "{" not in w and not w.startswith("-")]
+    plain = [w for w in words if re.fullmatch(r"[\w./+][\w./+-]*", w)]
     files = [w for w in plain if "/" in w or "." in Path(w).name]
     return Path((files or plain or words)[-1 if files else 0]).name
 

@@ -54,7 +54,7 @@ def read_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
     if picture is None:
         with stdout.open("rb") as file:
             begin = file.read(64).lstrip()
-        if begin[:2] in PICTURE:
+        if re.match(rb"P[1-7]\s", begin):
             picture = stdout
         else:
             return _nothing(out, begin)
@@ -91,7 +91,8 @@ def _find(out: Path, pgm: Path) -> Path | Unreadable | None:
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:4])
         return Unreadable(
-            "no map", f"there are {len(found)} pictures and none is {pgm.name}: {names}"
+            "no map",
+            f"there are {len(found)} pictures and none is {pgm.name}: {names}",
         )
     return found[0] if found else None
 
@@ -106,7 +107,9 @@ def _nothing(out: Path, begin: bytes) -> Unreadable:
         said = f"it wrote no file and printed {printed[:40]!r}"
     else:
         said = "it wrote no file and printed nothing"
-    return Unreadable("no map", f"no picture (*.pgm) in the output folder: {said}")
+    return Unreadable(
+        "no map", f"no picture (*.pgm) in the output folder: {said}"
+    )
 
 
 def _diagnosis(path: Path, name: str, error: OutputError) -> Unreadable:
@@ -117,13 +120,20 @@ def _diagnosis(path: Path, name: str, error: OutputError) -> Unreadable:
     if data[:2] not in PICTURE:
         for magic, what in KNOWN.items():
             if data.startswith(magic):
-                return Unreadable("wrong magic", f"{name} is {what}, not P2 or P5")
+                return Unreadable(
+                    "wrong magic", f"{name} is {what}, not P2 or P5"
+                )
         shown = data[:8].decode("ascii", "backslashreplace").split("\n")[0]
         return Unreadable(
-            "wrong magic", f"{name} begins with {shown!r}, a PGM picture with P2 or P5"
+            "wrong magic",
+            f"{name} begins with {shown!r}, a PGM picture with P2 or P5",
         )
     words = re.sub(rb"#[^\n\r]*", b"", data[2:]).split()
-    floats = [w for w in words[3:] if FLOAT.fullmatch(w)] if data[:2] == b"P2" else []
+    floats = (
+        [w for w in words[3:] if FLOAT.fullmatch(w)]
+        if data[:2] == b"P2"
+        else []
+    )
     if floats:
         first = floats[0].decode()
         return Unreadable(

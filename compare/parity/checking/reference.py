@@ -26,7 +26,9 @@ def world_of(case: Case) -> World:
         path = Path(folder) / f"{case.name}.log"
         path.write_bytes(case.data)
         with read_scenario(path) as scenario:
-            return World(scenario.settings, scenario.walls, list(scenario.scans))
+            return World(
+                scenario.settings, scenario.walls, list(scenario.scans)
+            )
 
 
 def reference_map(case: Case, mode: Mode) -> Drawn:

@@ -18,7 +18,7 @@ The bound says which beams may go either way, and nothing else: maps are compare
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -103,21 +103,30 @@ def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
     counts = np.array([part.scan.size for part in parts])
     before = np.cumsum(counts) - counts
     ways = [
-        Ways(part.ways.beam + first, *list(part.ways.__dict__.values())[1:])
+        replace(part.ways, beam=part.ways.beam + first)
         for part, first in zip(parts, before, strict=True)
     ]
-
-    def joined(name: str) -> npt.NDArray[np.generic]:
-        return np.concatenate([getattr(part, name) for part in parts])
-
-    names = ("scan", "number", "ex", "ey", "z", "hit", "used", "edge", "error")
-    all_ways = Ways(
-        *(
-            np.concatenate([getattr(way, name) for way in ways])
-            for name in Ways.__dataclass_fields__
-        )
+    return Beams(
+        scan=np.concatenate([p.scan for p in parts]),
+        number=np.concatenate([p.number for p in parts]),
+        ex=np.concatenate([p.ex for p in parts]),
+        ey=np.concatenate([p.ey for p in parts]),
+        z=np.concatenate([p.z for p in parts]),
+        hit=np.concatenate([p.hit for p in parts]),
+        used=np.concatenate([p.used for p in parts]),
+        edge=np.concatenate([p.edge for p in parts]),
+        error=np.concatenate([p.error for p in parts]),
+        ways=Ways(
+            beam=np.concatenate([w.beam for w in ways]),
+            gx0=np.concatenate([w.gx0 for w in ways]),
+            gy0=np.concatenate([w.gy0 for w in ways]),
+            gx1=np.concatenate([w.gx1 for w in ways]),
+            gy1=np.concatenate([w.gy1 for w in ways]),
+            hit=np.concatenate([w.hit for w in ways]),
+            used=np.concatenate([w.used for w in ways]),
+            contract=np.concatenate([w.contract for w in ways]),
+        ),
     )
-    return Beams(*(joined(name) for name in names), ways=all_ways)  # type: ignore[arg-type]
 
 
 def _scan_beams(
@@ -156,7 +165,11 @@ def _scan_beams(
     for i, one in enumerate(candidates):
         b = one.beam
         for hits in (True, False):
-            can = _can_hit(one, s.max_range) if hits else _can_miss(one, s.max_range)
+            can = (
+                _can_hit(one, s.max_range)
+                if hits
+                else _can_miss(one, s.max_range)
+            )
             chosen = np.flatnonzero(can)
             beam = b[chosen]
             length = one.z[chosen] if hits else np.full(beam.size, s.max_range)
@@ -168,7 +181,17 @@ def _scan_beams(
             if not own_poses:  # x + 0 is x
                 blur = np.where(length == 0.0, 0.0, blur)
             is_contract = (hit[beam] == hits) & (i == 0)
-            _expand(columns, world, pose, offset, beam, (ex, ey), blur, hits, is_contract)
+            _expand(
+                columns,
+                world,
+                pose,
+                offset,
+                beam,
+                (ex, ey),
+                blur,
+                hits,
+                is_contract,
+            )
             dx = _distance(ex, s.origin_x, s.resolution)
             dy = _distance(ey, s.origin_y, s.resolution)
             mine = beam[is_contract]
@@ -205,7 +228,9 @@ def _span(
     blur = error / resolution + 4.0 * U * (
         np.abs(cells) + (np.abs(value) + abs(origin)) / resolution
     )
-    blur = np.where(error == 0.0, 0.0, blur)  # the same operations on the same numbers
+    blur = np.where(
+        error == 0.0, 0.0, blur
+    )  # the same operations on the same numbers
     return (
         np.floor(cells).astype(np.int64),
         np.floor(cells - blur).astype(np.int64),
@@ -267,7 +292,9 @@ def _unique(
     table = table.astype(np.int64)
     # an ignored beam's cells say nothing
     table[table[:, 6] == 0, 1:6] = 0
-    order = np.lexsort((-table[:, 7], *(table[:, c] for c in range(6, -1, -1))))
+    order = np.lexsort(
+        (-table[:, 7], *(table[:, c] for c in range(6, -1, -1)))
+    )
     table = table[order]
     fresh = np.any(np.diff(table[:, :7], axis=0, prepend=-1) != 0, axis=1)
     table = table[fresh]
@@ -328,7 +355,12 @@ def _cast(
 
 
 def _meet(
-    pose: Pose, rdx: Array, rdy: Array, wall: Segment, turn: Array, offset: float
+    pose: Pose,
+    rdx: Array,
+    rdy: Array,
+    wall: Segment,
+    turn: Array,
+    offset: float,
 ) -> tuple[Array, Array, Mask, Mask, Mask]:
     """Distance to a wall, its error; whether the contract meets it, surely does, possibly does."""
     sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
@@ -346,7 +378,9 @@ def _meet(
     t = across / divisor
     # rounding of the two products and differences, of a wall or pose that is itself computed
     across_error = 4.0 * U * (abs(qpx * sy) + abs(qpy * sx)) + offset * length
-    t_error = (across_error + np.abs(t) * rxs_error) / steep + 2.0 * U * np.abs(t)
+    t_error = (
+        across_error + np.abs(t) * rxs_error
+    ) / steep + 2.0 * U * np.abs(t)
     along = qpx * rdy - qpy * rdx
     u = along / divisor
     along_error = reach * (turn + 4.0 * U) + offset
@@ -359,8 +393,12 @@ def _meet(
         & (u + u_error <= 1.0)
     )
     # a robot on the wall itself: its distance is exactly 0 in every program
-    surely |= meets & (across == 0.0) & (offset == 0.0) & surely_crossing & (
-        (u - u_error >= 0.0) & (u + u_error <= 1.0)
+    surely |= (
+        meets
+        & (across == 0.0)
+        & (offset == 0.0)
+        & surely_crossing
+        & ((u - u_error >= 0.0) & (u + u_error <= 1.0))
     )
     possibly = (
         ~surely_parallel
@@ -379,4 +417,6 @@ def _add_noise(
     for one in candidates:
         noise = normal_deviate(seed, scan, one.beam)
         one.z = np.clip(one.z + s.noise_std * noise, 0.0, s.max_range)
-        one.error = one.error + 16.0 * U * (s.noise_std * np.abs(noise) + one.z)
+        one.error = one.error + 16.0 * U * (
+            s.noise_std * np.abs(noise) + one.z
+        )

@@ -87,7 +87,9 @@ class CommandRunner:
             )
             if ended.word:
                 message = f"{shlex.join(template)}: {ended.message}"
-                return Outcome(ended.seconds, None, "does not build", message, False)
+                return Outcome(
+                    ended.seconds, None, "does not build", message, False
+                )
         return None
 
     def run(self, case: Case, mode: Mode) -> Outcome:
@@ -111,17 +113,29 @@ class CommandRunner:
         notes = []
         if ended.left:
             one = "a process" if ended.left == 1 else f"{ended.left} processes"
-            notes.append(f"forks: it left {one} running when it ended; ended, too")
+            notes.append(
+                f"forks: it left {one} running when it ended; ended, too"
+            )
         if scenario is not None and not _is(scenario, case):
             notes.append("it changed its copy of the scenario file")
         if ended.word:
             return Outcome(
-                ended.seconds, None, ended.word, ended.message, False, tuple(notes)
+                ended.seconds,
+                None,
+                ended.word,
+                ended.message,
+                False,
+                tuple(notes),
             )
         found = read_map(out, pgm, ended.stdout)
         if isinstance(found, Unreadable):
             return Outcome(
-                ended.seconds, None, found.word, found.message, True, tuple(notes)
+                ended.seconds,
+                None,
+                found.word,
+                found.message,
+                True,
+                tuple(notes),
             )
         return Outcome(ended.seconds, found, notes=tuple(notes))
 

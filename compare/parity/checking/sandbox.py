@@ -107,7 +107,13 @@ def run_limited(
     told = json.loads(report.read_text())
     word, message = _judge(told, command, limits, stdout, stderr)
     return Ended(
-        word, message, told["seconds"], stdout, stderr, told["left"], told["peak"]
+        word,
+        message,
+        told["seconds"],
+        stdout,
+        stderr,
+        told["left"],
+        told["peak"],
     )
 
 

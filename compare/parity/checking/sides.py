@@ -56,7 +56,9 @@ class TracedWays:
 
     def _trace(self, part: Cells) -> tuple[Cells, Cells, Mask]:
         w = self.beams.ways
-        lines = contract_lines(w.gx0[part], w.gy0[part], w.gx1[part], w.gy1[part])
+        lines = contract_lines(
+            w.gx0[part], w.gy0[part], w.gx1[part], w.gy1[part]
+        )
         inside = (lines.gx >= 0) & (lines.gx < self.width)
         inside &= (lines.gy >= 0) & (lines.gy < self.height)
         lines = lines.where(inside)
@@ -97,7 +99,11 @@ class SideSearch:
     """The search; ``turned`` is the way of each beam that is not on the contract's side."""
 
     def __init__(
-        self, traced: TracedWays, model: Model, wrong: Cells, distance: Distance
+        self,
+        traced: TracedWays,
+        model: Model,
+        wrong: Cells,
+        distance: Distance,
     ) -> None:
         self.traced = traced
         self.model = model
@@ -170,7 +176,9 @@ class SideSearch:
     def changed(self, beam: int, way: int) -> list[int]:
         """The cells to which the way does something else than the beam's present one."""
         now, then = self.effect(int(self.chosen[beam])), self.effect(way)
-        return [c for c in now.keys() | then.keys() if now.get(c) != then.get(c)]
+        return [
+            c for c in now.keys() | then.keys() if now.get(c) != then.get(c)
+        ]
 
     def gain(self, beam: int, way: int) -> float:
         """How much farther the map is after the turn; below 0 where it is nearer."""

@@ -50,7 +50,9 @@ def descendants() -> dict[int, int]:
     found: dict[int, int] = {}
     new = {os.getpid()}
     while new:
-        new = {p for p, parent in parents.items() if parent in new} - set(found)
+        new = {p for p, parent in parents.items() if parent in new} - set(
+            found
+        )
         found |= {p: pages[p] * resource.getpagesize() for p in new}
     return found
 
@@ -73,7 +75,7 @@ def size_of(folder: Path) -> int:
     for place, _, files in os.walk(folder):
         for file in files:
             try:
-                total += os.lstat(os.path.join(place, file)).st_size
+                total += (Path(place) / file).lstat().st_size
             except OSError:
                 continue
     return total
@@ -108,7 +110,12 @@ def become(config: dict[str, Any], failed: int) -> NoReturn:
         if os.getuid() != 0:
             spare = config["processes"] + SPARE_PROCESSES
             limit(resource.RLIMIT_NPROC, tasks_of_user() + spare)
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGXFSZ, signal.SIGPIPE):
+        for number in (
+            signal.SIGTERM,
+            signal.SIGINT,
+            signal.SIGXFSZ,
+            signal.SIGPIPE,
+        ):
             signal.signal(number, signal.SIG_DFL)
         os.execvpe(config["command"][0], config["command"], os.environ)
     except OSError as error:

@@ -20,11 +20,15 @@ SYMMETRIES: dict[str, Turn] = {
     "the reference flipped vertically (upside down)": lambda p: p[::-1],
     "the reference mirrored left to right": lambda p: p[:, ::-1],
     "the reference turned by 180 degrees": lambda p: p[::-1, ::-1],
-    "the reference transposed (rows and columns exchanged)": lambda p: p[
-        ::-1, ::-1
-    ].T,
-    "the reference transposed as a picture (rows and columns exchanged, counted from the top)": lambda p: p.T,
-    "the reference turned by 90 degrees to the left": lambda p: np.rot90(p, -1),
+    "the reference transposed (rows and columns exchanged)": lambda p: (
+        p[::-1, ::-1].T
+    ),
+    "the reference transposed as a picture (rows and columns exchanged, counted from the top)": lambda p: (
+        p.T
+    ),
+    "the reference turned by 90 degrees to the left": lambda p: np.rot90(
+        p, -1
+    ),
     "the reference turned by 90 degrees to the right": lambda p: np.rot90(p),
 }
 

@@ -32,7 +32,11 @@ def verdict_text(verdict: Verdict) -> str:
     if verdict.cause is not None:
         lines += ["", "Likely cause", *_cause(verdict.cause)]
     if verdict.first_difference is not None:
-        lines += ["", "First difference", *_difference(verdict.first_difference)]
+        lines += [
+            "",
+            "First difference",
+            *_difference(verdict.first_difference),
+        ]
     lines += ["", f"compared: {verdict.compared}"]
     lines += [f"not checked: {said}" for said in verdict.not_checked]
     lines += [f"note: {note}" for note in verdict.notes]
@@ -63,7 +67,11 @@ def _cause(cause: Cause) -> list[str]:
 def _difference(d: FirstDifference) -> list[str]:
     scan = "scan ?" if d.scan is None else f"scan {d.scan}"
     beam = "beam ?" if d.beam is None else f"beam {d.beam}"
-    how = f"found in {d.runs} runs" if d.how == "runs" else "told by the finished map"
+    how = (
+        f"found in {d.runs} runs"
+        if d.how == "runs"
+        else "told by the finished map"
+    )
     lines = [
         f"  {d.scenario}, {d.mode}: {scan}, {beam}, cell gx={d.gx} gy={d.gy} ({how})",
         f"    expected  {value_text(d.expected)}",
@@ -71,8 +79,14 @@ def _difference(d: FirstDifference) -> list[str]:
     ]
     if d.candidates:
         named = ", ".join(map(str, d.candidates[:20]))
-        more = f" and {len(d.candidates) - 20} more" if len(d.candidates) > 20 else ""
-        lines.append(f"    beams of that scan that touch wrong cells: {named}{more}")
+        more = (
+            f" and {len(d.candidates) - 20} more"
+            if len(d.candidates) > 20
+            else ""
+        )
+        lines.append(
+            f"    beams of that scan that touch wrong cells: {named}{more}"
+        )
     if d.endpoint is not None:
         e = d.endpoint
         kind = "hit" if e.hit else "no return"

@@ -15,7 +15,13 @@ from parity.record import CellValue, _value
 SCHEMA = 1
 
 LevelStatus = Literal[
-    "identical", "halves", "edges", "passed", "failed", "not checked", "not reached"
+    "identical",
+    "halves",
+    "edges",
+    "passed",
+    "failed",
+    "not checked",
+    "not reached",
 ]
 Overall = Literal["identical", "edges", "differs", "failed"]
 
@@ -174,6 +180,8 @@ def from_json(text: str) -> Verdict:
     try:
         verdict = _value(Verdict, data)
     except (KeyError, TypeError) as error:
-        raise ValueError(f"not a verdict of schema {SCHEMA}: {error}") from error
+        raise ValueError(
+            f"not a verdict of schema {SCHEMA}: {error}"
+        ) from error
     assert isinstance(verdict, Verdict)
     return verdict

@@ -75,7 +75,9 @@ def case_result(
         total=int(compared.wrong.size),
         halves=compared.halves,
         edge_beams=beam_pairs(compared.beams, compared.edge_beams),
-        steps=[] if compared.steps is None else list(map(repr, compared.steps)),
+        steps=[]
+        if compared.steps is None
+        else list(map(repr, compared.steps)),
     )
 
 

@@ -41,7 +41,9 @@ def draw_patch(
     return lines
 
 
-def _sign(cells: Mapping[Cell, str], wrong: set[Cell], robot: Cell, cell: Cell) -> str:
+def _sign(
+    cells: Mapping[Cell, str], wrong: set[Cell], robot: Cell, cell: Cell
+) -> str:
     sign = SIGNS.get(cells.get(cell, ""), ".")
     if cell == robot:
         sign = "R" if sign == "o" else {".": "r", "#": "#"}[sign]

@@ -44,7 +44,9 @@ class BeamView:
         if not self.ways.used[way]:
             return {}
         w = self.ways
-        lines = contract_lines(*(a[way : way + 1] for a in (w.gx0, w.gy0, w.gx1, w.gy1)))
+        lines = contract_lines(
+            *(a[way : way + 1] for a in (w.gx0, w.gy0, w.gx1, w.gy1))
+        )
         pairs = zip(lines.gx.tolist(), lines.gy.tolist(), strict=True)
         cells = dict.fromkeys(pairs, "free")
         if w.hit[way]:
@@ -83,7 +85,10 @@ class BeamView:
         found = []
         for beam in range(beams):
             cells = self.cells(self.index(scan, beam))
-            if any(0 <= x < width and 0 <= y < height and wrong[y, x] for x, y in cells):
+            if any(
+                0 <= x < width and 0 <= y < height and wrong[y, x]
+                for x, y in cells
+            ):
                 found.append(beam)
         return found
 
@@ -97,7 +102,11 @@ def report_found(
     undetermined = [f"the beam: {found.why}"] if found.why else []
     if found.beam is None:
         candidates = view.touching(found.scan, wrong)
-        shown = view.cells(view.index(found.scan, candidates[0])) if candidates else {}
+        shown = (
+            view.cells(view.index(found.scan, candidates[0]))
+            if candidates
+            else {}
+        )
         cell = _cell(shown, wrong)
         drawn = reference_map(found.trial.case, mode)
         return FirstDifference(
@@ -143,7 +152,9 @@ def report_deduced(
 ) -> FirstDifference | None:
     """What a finished map alone tells: the earliest beam that updates a wrong cell."""
     compared = compare(observed, case, mode, own_poses)
-    wrong = compared.unexplained if compared.unexplained.any() else compared.wrong
+    wrong = (
+        compared.unexplained if compared.unexplained.any() else compared.wrong
+    )
     if not wrong.any():
         return None
     view = BeamView(case, mode)
@@ -175,7 +186,9 @@ def report_deduced(
 
 def _wrong(trial: Trial) -> Mask:
     compared = trial.compared
-    return compared.unexplained if compared.unexplained.any() else compared.wrong
+    return (
+        compared.unexplained if compared.unexplained.any() else compared.wrong
+    )
 
 
 def _cell(cells: Mapping[Cell, str], wrong: Mask) -> Cell:
@@ -197,11 +210,15 @@ def _changed(found: Found, mode: Mode) -> dict[Cell, str]:
         settings = world_of(found.trial.case).settings
         start = settings.new_grid().log_odds
         if found.trial.observed.log_odds is None:
-            start = -np.floor((1.0 - settings.new_grid().probability_grid()) * 255.0 + 0.5)
+            start = -np.floor(
+                (1.0 - settings.new_grid().probability_grid()) * 255.0 + 0.5
+            )
         before = start
     changed = {}
     for gy, gx in np.argwhere(after != before).tolist():
-        changed[gx, gy] = "occupied" if after[gy, gx] > before[gy, gx] else "free"
+        changed[gx, gy] = (
+            "occupied" if after[gy, gx] > before[gy, gx] else "free"
+        )
     return changed
 
 

@@ -76,7 +76,10 @@ def search(case: Case, mode: Mode, whole: Trial, attempt: Try) -> Found:
             why = "its beams one by one are mapped as the reference maps them, so the mistake is in the scan as a whole"
             return Found(scan, None, trial, before, why=why)
         if not _same(cut_whole, trial):
-            why = "it maps the scan's beams one by one differently from the whole scan, so the mistake is in the scan as a whole"
+            why = (
+                "it maps the scan's beams one by one differently from the whole scan, so the mistake is in the scan "
+                "as a whole"
+            )
             return Found(scan, None, trial, before, why=why)
         trial = cut_whole
     beam, trial, before = cut.first(trial)

@@ -69,7 +69,9 @@ class SineAndCosineSwapped(Mapper):
     lesson = "The endpoint is (x + z cos alpha, y + z sin alpha): angle 0 points along x."
     where = "section 4, second flow chart"
 
-    def endpoint(self, pose: Pose, beam: Array, z: Array) -> tuple[Array, Array]:
+    def endpoint(
+        self, pose: Pose, beam: Array, z: Array
+    ) -> tuple[Array, Array]:
         return (
             pose.x + z * self.numbers.sin(beam),
             pose.y + z * self.numbers.cos(beam),
@@ -79,9 +81,7 @@ class SineAndCosineSwapped(Mapper):
 class LastBearingMissing(Mapper):
     name = "last-bearing-missing"
     title = "the bearings stop one step before the end of the field of view"
-    lesson = (
-        "n beams have n - 1 gaps between them, so the step is fov / (n - 1) and the last beam points to +fov / 2."
-    )
+    lesson = "n beams have n - 1 gaps between them, so the step is fov / (n - 1) and the last beam points to +fov / 2."
     where = "section 6.1 (linspace over both ends)"
 
     def bearings(self) -> Array:
@@ -137,9 +137,7 @@ class NoReturnNotFreed(Mapper):
 class NoReturnAlwaysFreed(Mapper):
     name = "no-return-ignore-unknown"
     title = "no_return ignore is not heeded"
-    lesson = (
-        "The lesson frees a beam without return; a scenario may ask for the beam to be ignored instead."
-    )
+    lesson = "The lesson frees a beam without return; a scenario may ask for the beam to be ignored instead."
     where = "Problem 3; SPEC.md section 2.3"
 
     def read(self, ranges: Array) -> tuple[Array, Mask, Mask]:
@@ -166,7 +164,9 @@ class NotANumberIsNoReturn(Mapper):
 
     def read(self, ranges: Array) -> tuple[Array, Mask, Mask]:
         z, hit, used = super().read(ranges)
-        used = hit if self.settings.no_return == "ignore" else np.ones_like(hit)
+        used = (
+            hit if self.settings.no_return == "ignore" else np.ones_like(hit)
+        )
         return z, hit, used
 
 

@@ -132,8 +132,12 @@ def _only_halves(observed: Observed, drawn: Drawn) -> bool:
     )
     wrong = observed.pixels != drawn.pixels
     # a picture that is turned or flipped is not matched here
-    upright = ((drawn.pixels[::-1] >= low) & (drawn.pixels[::-1] <= high)).all()
-    either = ((observed.pixels[::-1] == low) | (observed.pixels[::-1] == high)).all()
+    upright = (
+        (drawn.pixels[::-1] >= low) & (drawn.pixels[::-1] <= high)
+    ).all()
+    either = (
+        (observed.pixels[::-1] == low) | (observed.pixels[::-1] == high)
+    ).all()
     return bool(
         wrong.any() and upright and either and observed.log_odds is None
     )

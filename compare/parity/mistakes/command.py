@@ -17,7 +17,9 @@ from parity.repository import find_root
 Write = Annotated[bool, typer.Option("--write", help=f"Write {PAGE}.")]
 Root = Annotated[
     Path | None,
-    typer.Option("--root", metavar="DIR", help="The repository, if not this one."),
+    typer.Option(
+        "--root", metavar="DIR", help="The repository, if not this one."
+    ),
 ]
 
 

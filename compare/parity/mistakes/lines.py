@@ -24,7 +24,12 @@ class Lines(NamedTuple):
 
     def where(self, chosen: Mask | Cells) -> Lines:
         """Some of the cells, or all of them in another order or number."""
-        return Lines(*(column[chosen] for column in self))
+        return Lines(
+            self.beam[chosen],
+            self.gx[chosen],
+            self.gy[chosen],
+            self.last[chosen],
+        )
 
 
 def _steps(lengths: Cells) -> tuple[Cells, Cells]:

@@ -42,6 +42,15 @@ class Traced(NamedTuple):
     gy: Cells
     occupied: Mask
 
+    def where(self, chosen: Cells) -> Traced:
+        """Some of the updates, or all of them in another order."""
+        return Traced(
+            self.scan[chosen],
+            self.gx[chosen],
+            self.gy[chosen],
+            self.occupied[chosen],
+        )
+
 
 class World(NamedTuple):
     """What a scenario file holds."""
@@ -104,7 +113,7 @@ class Mapper:
     def draw(self) -> Drawn:
         """Maps all scans."""
         s = self.settings
-        log_odds = np.full(s.height * s.width, self.start())
+        log_odds: Array = np.full(s.height * s.width, self.start())
         for traced in self.batches():
             self.apply(log_odds, traced)
         log_odds = self.finish(log_odds).reshape(s.height, s.width)
@@ -233,7 +242,8 @@ class Mapper:
         )
         hit = hit[used]
         kept = self.kept(gx0, gy0, gx1, gy1)
-        gx0, gy0, gx1, gy1, hit = (a[kept] for a in (gx0, gy0, gx1, gy1, hit))
+        gx0, gy0, gx1, gy1 = (a[kept] for a in (gx0, gy0, gx1, gy1))
+        hit = hit[kept]
         lines, occupied = self.evidence(self.lines(gx0, gy0, gx1, gy1), hit)
         scans = np.full(lines.gx.shape, number)
         return self.within_scan(Traced(scans, lines.gx, lines.gy, occupied))

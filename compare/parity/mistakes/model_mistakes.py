@@ -99,7 +99,9 @@ class ClampAtEnd(Mapper):
 class ClampWithoutLower(Mapper):
     name = "no-lower-clamp"
     title = "log-odds are clamped at l_max only"
-    lesson = "Both bounds hold: free cells stop at l_min, occupied ones at l_max."
+    lesson = (
+        "Both bounds hold: free cells stop at l_min, occupied ones at l_max."
+    )
     where = CLAMP
 
     def clamp(self, log_odds: Array) -> Array:
@@ -108,7 +110,9 @@ class ClampWithoutLower(Mapper):
 
 class OncePerScan(Mapper):
     name = "once-per-scan"
-    title = "each cell is updated once per scan, by the first beam that crosses it"
+    title = (
+        "each cell is updated once per scan, by the first beam that crosses it"
+    )
     lesson = (
         "The lesson's flow chart updates the cells beam by beam: a cell that several beams of one scan cross gets "
         "several updates."
@@ -117,12 +121,14 @@ class OncePerScan(Mapper):
 
     def within_scan(self, traced: Traced) -> Traced:
         _, first = np.unique(_keys(traced), return_index=True)
-        return _some(traced, np.sort(first))
+        return traced.where(np.sort(first))
 
 
 class OncePerScanOccupiedWins(Mapper):
     name = "once-per-scan-occupied-wins"
-    title = "each cell is updated once per scan, as occupied if any beam hit it"
+    title = (
+        "each cell is updated once per scan, as occupied if any beam hit it"
+    )
     lesson = (
         "The lesson's flow chart updates the cells beam by beam: a cell that several beams of one scan cross gets "
         "several updates, free and occupied ones."
@@ -131,9 +137,9 @@ class OncePerScanOccupiedWins(Mapper):
 
     def within_scan(self, traced: Traced) -> Traced:
         order = np.argsort(~traced.occupied, kind="stable")
-        occupied_first = _some(traced, order)
+        occupied_first = traced.where(order)
         _, first = np.unique(_keys(occupied_first), return_index=True)
-        return _some(occupied_first, first)
+        return occupied_first.where(first)
 
 
 def _keys(traced: Traced) -> Cells:
@@ -141,10 +147,6 @@ def _keys(traced: Traced) -> Cells:
     low = np.min(traced.gx, initial=0)
     span = np.max(traced.gx, initial=0) - low + 1
     return traced.gy * span + (traced.gx - low)
-
-
-def _some(traced: Traced, chosen: Cells) -> Traced:
-    return Traced(*(column[chosen] for column in traced))
 
 
 class PictureInverted(Mapper):

@@ -83,7 +83,9 @@ class NoiseWithSine(Mapper):
 
     def deviate(self, seed: int, scan: int, beams: Cells) -> Array:
         u1, u2, _, _ = uniforms(seed, scan, beams)
-        return np.sqrt(-2.0 * self.numbers.log(u1)) * self.numbers.sin(TWO_PI * u2)
+        return np.sqrt(-2.0 * self.numbers.log(u1)) * self.numbers.sin(
+            TWO_PI * u2
+        )
 
 
 class NoiseOfOtherWords(Mapper):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from parity.checking.closeness import differing
 from parity.checking.reading import Observed
 from parity.checking.reference import reference_map, world_of
@@ -61,13 +63,15 @@ def catches(mistake: type[Mapper], name: str, mode: Mode) -> str:
         return "P"
     if (drawn.pixels != expected.pixels).any():
         return "P"
-    observed = Observed(drawn.pixels, drawn.log_odds, "")
+    observed = Observed(drawn.pixels.astype(np.uint16), drawn.log_odds, "")
     return "L" if differing(observed, expected).any() else ""
 
 
 def only_noise(mistake: type[Mapper]) -> bool:
     """Whether the mistake changes nothing but steps that are not taken without a seed."""
-    changed = {name for name in vars(mistake) if callable(getattr(mistake, name))}
+    changed = {
+        name for name in vars(mistake) if callable(getattr(mistake, name))
+    }
     steps = {name for name in changed if not name.startswith("__")}
     return bool(steps) and steps <= set(NOISE_STEPS)
 

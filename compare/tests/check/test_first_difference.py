@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from check.helpers import MapperRunner, wrong_beam
 from parity.checking.check import Options, check
 from parity.checking.reference import reference_map, world_of
 from parity.checking.rounding import beams_of
@@ -20,17 +19,23 @@ from parity.mistakes.catalogue import MISTAKES
 from parity.mistakes.mapper import Mapper
 from parity.modes import NOISE_FREE, Mode
 
+from ..check_helpers import MapperRunner, wrong_beam
+
 
 # a program that is given a part of a log knows nothing of numbers: its bad beam is known by where it ends
 @pytest.mark.parametrize(
     ("name", "scan", "beam"),
-    [("lesson-offset", 60, 105), ("asymmetric", 4, 38), ("flaser", 3, 200), ("robotlaser1", 4, 312),
+    [("lesson-offset", 98, 21), ("asymmetric", 4, 38), ("flaser", 3, 200), ("robotlaser1", 4, 312),
      ("octants", 17, 0), ("one-beam", 0, 0)],
 )  # fmt: skip
-def test_finds_scan_and_beam(name: str, scan: int, beam: int, tmp_path: Path) -> None:
+def test_finds_scan_and_beam(
+    name: str, scan: int, beam: int, tmp_path: Path
+) -> None:
     one = case(name)
     beams = beams_of(world_of(one), None)
-    index = int(np.flatnonzero((beams.scan == scan) & (beams.number == beam))[0])
+    index = int(
+        np.flatnonzero((beams.scan == scan) & (beams.number == beam))[0]
+    )
     x, y = float(beams.ex[index]), float(beams.ey[index])
     assert ((beams.ex == x) & (beams.ey == y)).sum() == 1
     wrong = wrong_beam(x, y)
@@ -57,7 +62,10 @@ def test_finds_scan_and_beam(name: str, scan: int, beam: int, tmp_path: Path) ->
     assert any("[#]" in line and "[o]" in line for line in difference.patch)
     # the minimal scenario is that one beam, and shows the difference again
     saved = tmp_path / "first-difference.log"
-    assert difference.scenario_file == str(saved) and str(saved) in difference.command
+    assert (
+        difference.scenario_file == str(saved)
+        and str(saved) in difference.command
+    )
     minimal = Case("first-difference", saved.read_bytes())
     assert len(world_of(minimal).scans) == 1
     assert check(MapperRunner(wrong), Options([minimal])).overall == "differs"
@@ -66,7 +74,9 @@ def test_finds_scan_and_beam(name: str, scan: int, beam: int, tmp_path: Path) ->
 
 def test_a_difference_that_needs_what_came_before_keeps_it() -> None:
     """Without a clamp, the map differs only when there has been enough evidence."""
-    verdict = check(MapperRunner(MISTAKES["no-clamp"]), Options([case("saturate")]))
+    verdict = check(
+        MapperRunner(MISTAKES["no-clamp"]), Options([case("saturate")])
+    )
     difference = verdict.first_difference
     assert difference is not None
     drawn = [
@@ -74,14 +84,19 @@ def test_a_difference_that_needs_what_came_before_keeps_it() -> None:
         for n in (difference.scan or 0, (difference.scan or 0) + 1)
     ]
     limits = world_of(case("saturate")).settings
-    assert not np.isin(drawn[0].log_odds, (limits.l_min,)).any() or difference.scan == 0
+    assert (
+        not np.isin(drawn[0].log_odds, (limits.l_min,)).any()
+        or difference.scan == 0
+    )
     assert np.isin(drawn[1].log_odds, (limits.l_min, limits.l_max)).any()
     assert difference.beam is not None
 
 
 @pytest.mark.parametrize("name", ["once-per-scan", "last-bearing-missing"])
 def test_a_mistake_in_the_scan_as_a_whole_is_told_as_such(name: str) -> None:
-    verdict = check(MapperRunner(MISTAKES[name]), Options([case("asymmetric")]))
+    verdict = check(
+        MapperRunner(MISTAKES[name]), Options([case("asymmetric")])
+    )
     difference = verdict.first_difference
     assert difference is not None
     assert (difference.scan, difference.beam) == (0, None)
@@ -90,13 +105,27 @@ def test_a_mistake_in_the_scan_as_a_whole_is_told_as_such(name: str) -> None:
 
 
 def test_noise_is_traced_to_its_scan() -> None:
-    verdict = check(MapperRunner(MISTAKES["noise-of-one-scan"]), Options([case("asymmetric")], [Mode(3)]))
+    verdict = check(
+        MapperRunner(MISTAKES["noise-of-one-scan"]),
+        Options([case("asymmetric")], [Mode(3)]),
+    )
     difference = verdict.first_difference
     assert difference is not None
     assert (difference.scan, difference.beam) == (1, None)
 
 
-@pytest.mark.parametrize("name", ["octants", "asymmetric", "no-return-ignore", "outside", "flaser", "robotlaser1", "formats"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "octants",
+        "asymmetric",
+        "no-return-ignore",
+        "outside",
+        "flaser",
+        "robotlaser1",
+        "formats",
+    ],
+)
 def test_shortened_scenarios_map_the_same_bits(name: str) -> None:
     """All beams one by one, or cut from their scans, draw what the whole scenario draws."""
     one = case(name)
@@ -105,10 +134,14 @@ def test_shortened_scenarios_map_the_same_bits(name: str) -> None:
     for scan in {0, scans // 2, scans - 1}:
         whole = reference_map(shortener.prefix(scan + 1), NOISE_FREE)
         beams = shortener.beams_in(scan)
-        cut = reference_map(shortener.beams(scan, beams, history=True), NOISE_FREE)
+        cut = reference_map(
+            shortener.beams(scan, beams, history=True), NOISE_FREE
+        )
         assert (bits(whole.log_odds) == bits(cut.log_odds)).all()
         alone = reference_map(shortener.alone(scan), NOISE_FREE)
-        cut = reference_map(shortener.beams(scan, beams, history=False), NOISE_FREE)
+        cut = reference_map(
+            shortener.beams(scan, beams, history=False), NOISE_FREE
+        )
         assert (bits(alone.log_odds) == bits(cut.log_odds)).all()
         last = reference_map(shortener.beam(scan, beams - 1), NOISE_FREE)
         if beams == 1:
@@ -118,7 +151,9 @@ def test_shortened_scenarios_map_the_same_bits(name: str) -> None:
 def test_the_patch_is_drawn_with_the_largest_y_first() -> None:
     expected = {(0, 0): "free", (1, 0): "free", (2, 1): "occupied"}
     found = {(0, 0): "free", (1, 1): "free", (2, 1): "occupied"}
-    assert draw_patch(expected, found, {(1, 0), (1, 1)}, (1, 0), (0, 0), (4, 3)) == [
+    assert draw_patch(
+        expected, found, {(1, 0), (1, 1)}, (1, 0), (0, 0), (4, 3)
+    ) == [
         "   expected       found",
         "2   .  .  .  .     .  .  .  .",
         "1   . [.] #  .     . [o] #  .",

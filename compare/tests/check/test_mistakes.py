@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from check.helpers import MapperRunner, check_mapper, names
 from parity.checking.check import Options, check
 from parity.checking.reference import reference_map, world_of
 from parity.checking.suite import case, scenario_folder
@@ -18,6 +17,8 @@ from parity.mistakes.page import COLUMNS, PAGE, page, table
 from parity.modes import Mode
 from parity.repository import find_root
 
+from ..check_helpers import MapperRunner, check_mapper, names
+
 SCENARIOS = sorted(path.stem for path in scenario_folder().glob("*.log"))
 
 # the same cells in whatever order: nothing can tell these apart
@@ -26,7 +27,9 @@ SAME = [{"ties-up", "ties-with-equality", "line-from-the-end"}]
 
 @pytest.mark.parametrize("seed", [None, 7])
 @pytest.mark.parametrize("name", SCENARIOS)
-def test_without_a_mistake_the_mapper_draws_the_reference(name: str, seed: int | None) -> None:
+def test_without_a_mistake_the_mapper_draws_the_reference(
+    name: str, seed: int | None
+) -> None:
     one = case(name)
     drawn = Mapper(world_of(one), seed).draw()
     expected = reference_map(one, Mode(seed))
@@ -39,11 +42,15 @@ def caught() -> dict[str, list[str]]:
     return table()
 
 
-def test_every_mistake_is_caught_by_a_scenario(caught: dict[str, list[str]]) -> None:
+def test_every_mistake_is_caught_by_a_scenario(
+    caught: dict[str, list[str]],
+) -> None:
     assert [name for name, marks in caught.items() if not any(marks)] == []
 
 
-def test_some_mistakes_are_caught_by_one_scenario_only(caught: dict[str, list[str]]) -> None:
+def test_some_mistakes_are_caught_by_one_scenario_only(
+    caught: dict[str, list[str]],
+) -> None:
     """What each scenario is there for."""
     titles = [name for name, _ in COLUMNS]
     only = {
@@ -61,7 +68,9 @@ def test_some_mistakes_are_caught_by_one_scenario_only(caught: dict[str, list[st
 
 
 def test_the_page_is_what_the_code_says(caught: dict[str, list[str]]) -> None:
-    assert (find_root() / PAGE).read_text(encoding="utf-8") == page(caught), "run parity mistakes --write"
+    assert (find_root() / PAGE).read_text(encoding="utf-8") == page(caught), (
+        "run parity mistakes --write"
+    )
 
 
 @pytest.mark.parametrize("name", MISTAKES)
@@ -72,18 +81,34 @@ def test_every_mistake_fails_the_check_and_is_named(name: str) -> None:
     expected = next((same for same in SAME if name in same), {name})
     assert set(names(verdict)) == expected
     assert verdict.cause is not None
-    assert all(one.lesson and one.where and one.title for one in verdict.cause.candidates)
+    assert all(
+        one.lesson and one.where and one.title
+        for one in verdict.cause.candidates
+    )
 
 
 @pytest.mark.parametrize(
-    "name", ["no-clamp", "hit-also-free", "ties-with-equality-in-y", "prior-not-subtracted", "y-axis-down"]
+    "name",
+    [
+        "no-clamp",
+        "hit-also-free",
+        "ties-with-equality-in-y",
+        "prior-not-subtracted",
+        "y-axis-down",
+    ],
 )
-def test_a_mistake_is_named_from_pixels_and_other_arithmetic(name: str) -> None:
-    verdict = check(MapperRunner(MISTAKES[name], log_odds=False, numbers=PLATFORM))
+def test_a_mistake_is_named_from_pixels_and_other_arithmetic(
+    name: str,
+) -> None:
+    verdict = check(
+        MapperRunner(MISTAKES[name], log_odds=False, numbers=PLATFORM)
+    )
     assert verdict.compared == "pixels only"
     found = names(verdict)
     assert name in found
-    assert set(found) <= {name, "y-flipped"}, "the picture alone cannot tell the axis from the file's order"
+    assert set(found) <= {name, "y-flipped"}, (
+        "the picture alone cannot tell the axis from the file's order"
+    )
 
 
 class ShiftedHits(Mapper):
@@ -91,7 +116,9 @@ class ShiftedHits(Mapper):
 
     name = "shifted"
 
-    def read(self, ranges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def read(
+        self, ranges: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         z, hit, used = super().read(ranges)
         return np.where(hit, z + 0.3, z), hit, used
 
@@ -101,12 +128,18 @@ def test_nothing_is_guessed_where_no_mistake_fits() -> None:
     assert verdict.overall == "differs"
     assert names(verdict) == []
     assert verdict.cause is not None
-    assert verdict.cause.message == f"None of the {len(MISTAKES)} mistakes of the catalogue draws these maps."
+    assert (
+        verdict.cause.message
+        == f"None of the {len(MISTAKES)} mistakes of the catalogue draws these maps."
+    )
 
 
 def test_a_program_with_only_the_lesson_is_checked_on_it() -> None:
     runner = MapperRunner(
-        MISTAKES["max-range-occupied"], log_odds=False, reads_scenarios=False, takes_seeds=False
+        MISTAKES["max-range-occupied"],
+        log_odds=False,
+        reads_scenarios=False,
+        takes_seeds=False,
     )
     verdict = check(runner)
     assert verdict.overall == "differs"
@@ -115,14 +148,23 @@ def test_a_program_with_only_the_lesson_is_checked_on_it() -> None:
     difference = verdict.first_difference
     assert difference is not None and difference.how == "deduced"
     assert difference.undetermined
-    assert {x.name for x in verdict.levels if x.status == "not checked"} >= {"octants", "twin"}
+    assert {x.name for x in verdict.levels if x.status == "not checked"} >= {
+        "octants",
+        "twin",
+    }
 
 
 def test_a_right_program_with_only_the_lesson_passes() -> None:
     runner = MapperRunner(
-        Mapper, log_odds=False, numbers=PLATFORM, reads_scenarios=False, takes_seeds=False
+        Mapper,
+        log_odds=False,
+        numbers=PLATFORM,
+        reads_scenarios=False,
+        takes_seeds=False,
     )
     verdict = check(runner, Options())
     assert verdict.overall == "edges"
     assert verdict.exit_status == 0
-    assert verdict.summary.startswith("on the lesson it differs only at cell edges")
+    assert verdict.summary.startswith(
+        "on the lesson it differs only at cell edges"
+    )

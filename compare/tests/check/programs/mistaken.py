@@ -11,6 +11,10 @@ drawn = MISTAKES[mistake](read_world(scenario), seed).draw()
 height, width = drawn.pixels.shape
 name = Path(scenario).stem
 rows = [" ".join(map(str, row)) for row in drawn.pixels.tolist()]
-(Path(out) / f"{name}.pgm").write_text("\n".join(["P2", f"{width} {height}", "255", *rows]) + "\n")
+(Path(out) / f"{name}.pgm").write_text(
+    "\n".join(["P2", f"{width} {height}", "255", *rows]) + "\n"
+)
 rows = [" ".join(map(repr, row)) for row in drawn.log_odds.tolist()]
-(Path(out) / f"{name}.logodds").write_text("\n".join([f"# logodds {width} {height}", *rows]) + "\n")
+(Path(out) / f"{name}.logodds").write_text(
+    "\n".join([f"# logodds {width} {height}", *rows]) + "\n"
+)

@@ -22,7 +22,7 @@ from parity.mistakes.lines import Lines
 from parity.mistakes.mapper import Array, Cells, Mapper, Mask
 from parity.modes import NOISE_FREE, Mode
 
-PROGRAMS = Path(__file__).parent / "programs"
+PROGRAMS = Path(__file__).parent / "check" / "programs"
 
 
 class MapperRunner:
@@ -52,9 +52,9 @@ class MapperRunner:
         return Outcome(0.0, Observed(pixels, log_odds, "the test's map"))
 
 
-def check_mapper(mapper: type[Mapper], save: Path | None = None, **how: bool) -> Verdict:
+def check_mapper(mapper: type[Mapper], save: Path | None = None) -> Verdict:
     """The verdict on a mapper."""
-    return check(MapperRunner(mapper, **how), Options(save=save))
+    return check(MapperRunner(mapper), Options(save=save))
 
 
 def check_words(
@@ -74,7 +74,11 @@ def python_program(folder: Path, code: str) -> str:
 
 def names(verdict: Verdict) -> list[str]:
     """The likely causes."""
-    return [] if verdict.cause is None else [c.name for c in verdict.cause.candidates]
+    return (
+        []
+        if verdict.cause is None
+        else [c.name for c in verdict.cause.candidates]
+    )
 
 
 def wrong_beam(x: float, y: float) -> type[Mapper]:
@@ -85,7 +89,10 @@ def wrong_beam(x: float, y: float) -> type[Mapper]:
         marks: tuple[Mask, ...] = ()
 
         def to_grid(self, xs: Array, ys: Array) -> tuple[Cells, Cells]:
-            self.marks = (*self.marks[-1:], (xs == x) & (ys == y))  # of the ends, then of the starts
+            self.marks = (
+                *self.marks[-1:],
+                (xs == x) & (ys == y),
+            )  # of the ends, then of the starts
             return super().to_grid(xs, ys)
 
         def evidence(self, lines: Lines, hit: Mask) -> tuple[Lines, Mask]:

@@ -10,7 +10,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    ConsoleMessage,
+    Page,
+    sync_playwright,
+)
 
 from occgrid.map_writer import pixels
 from occgrid.mapper import map_scenario
@@ -18,7 +23,8 @@ from occgrid.scenario import read_scenario
 from parity.outputs import read_map
 from parity.report.page import write_page
 
-from .conftest import ROOT, Ran
+from .conftest import ROOT
+from .reported import Ran
 
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 # as root, and without a look at the network
@@ -58,12 +64,7 @@ def page(browser: Browser, file: Path) -> Iterator[Page]:
     opened = browser.new_page(viewport={"width": 1280, "height": 1400})
     complaints: list[str] = []
     requests: list[str] = []
-    opened.on(
-        "console",
-        lambda message: (
-            message.type == "error" and complaints.append(message.text)
-        ),
-    )
+    opened.on("console", lambda message: complain(complaints, message))
     opened.on("pageerror", lambda error: complaints.append(str(error)))
     opened.on("request", lambda request: requests.append(request.url))
     opened.goto(file.as_uri())
@@ -72,6 +73,12 @@ def page(browser: Browser, file: Path) -> Iterator[Page]:
     assert complaints == []
     assert requests == [file.as_uri()], "nothing is loaded from elsewhere"
     opened.close()
+
+
+def complain(complaints: list[str], message: ConsoleMessage) -> None:
+    """Keep what the browser calls an error; its advice on speed is none."""
+    if message.type == "error":
+        complaints.append(message.text)
 
 
 def choose(page: Page, scenario: str, mode: str, port: str) -> None:

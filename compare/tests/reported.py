@@ -6,8 +6,6 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-import pytest
-
 from parity.modes import DEFAULT_MODES
 from parity.ports import Port, read_port
 from parity.record import RunRecord
@@ -51,11 +49,11 @@ class Ran:
     folder: Path
 
 
-@pytest.fixture(scope="session")
-def ran(tmp_path_factory: pytest.TempPathFactory) -> Ran:
-    """One-beam, asymmetric and saturate, in both modes, with four ports."""
-    root = tmp_path_factory.mktemp("ports")
-    folder = tmp_path_factory.mktemp("run")
+def run_and_report(root: Path, folder: Path) -> Ran:
+    """One-beam, asymmetric and saturate, in both modes, with four ports.
+
+    The ports are made in ``root``, the maps in ``folder``.
+    """
     ports = [
         read_port(ROOT / "python" / "port.toml"),
         _port(root, "nearly", NEARLY),

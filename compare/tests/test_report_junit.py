@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 
 from parity.report.junit import junit_xml
 
-from .conftest import Ran
+from .reported import Ran
 
 
 def test_every_result_is_a_test_case(ran: Ran) -> None:

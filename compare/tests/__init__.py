@@ -1,0 +1,1 @@
+"""Tests of the harness, and the parity tests of the ports."""

@@ -1,0 +1,153 @@
+"""The command: its exit status, its record, and the command it gives to see a difference again."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from parity.checking.suite import scenario_folder
+from parity.checking.verdict import from_json
+from parity.cli import app
+
+from ..check_helpers import PROGRAMS
+
+GOLDEN = scenario_folder() / "golden"
+RIGHT = f"""sh -c 'cat {GOLDEN}/$(basename "$0" .log).noise-free.pgm' {{scenario}}"""
+
+
+def invoke(*arguments: str) -> tuple[int, str]:
+    result = CliRunner().invoke(app, ["check", *arguments])
+    return result.exit_code, result.output
+
+
+def test_a_right_program_ends_with_0(tmp_path: Path) -> None:
+    status, text = invoke(
+        "--run",
+        RIGHT,
+        "--out",
+        str(tmp_path / "o"),
+        "--json",
+        str(tmp_path / "j.json"),
+    )
+    assert status == 0
+    assert text.startswith("sh: identical\n")
+    verdict = from_json((tmp_path / "j.json").read_text())
+    assert verdict == from_json((tmp_path / "o" / "verdict.json").read_text())
+    assert verdict.compared == "pixels only"
+    assert len(verdict.not_checked) == 2
+    for said in verdict.not_checked:
+        assert f"not checked: {said}" in text
+    assert verdict.runs == 13
+
+
+@pytest.mark.skipif(shutil.which("perl") is None, reason="install perl")
+def test_a_wrong_program_ends_with_1_and_can_be_seen_again(
+    tmp_path: Path,
+) -> None:
+    run = f"perl {PROGRAMS}/lesson.pl --bug maxrange {{mode}} --out {{out}} {{scenario}}"
+    status, text = invoke("--run", run, "--out", str(tmp_path))
+    assert status == 1
+    assert "max-range-occupied" in text and "Problem 3" in text
+    command = next(
+        line.strip()
+        for line in text.splitlines()
+        if line.strip().startswith("parity check")
+    )
+    words = shlex.split(command)[1:]
+    result = CliRunner().invoke(
+        app, [*words, "--out", str(tmp_path / "again")]
+    )
+    assert result.exit_code == 1
+    again = from_json((tmp_path / "again" / "verdict.json").read_text())
+    assert again.first_difference is not None
+    assert (again.first_difference.scan, again.first_difference.beam) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [],
+        ["--run", "true", "--port", "x"],
+        ["--run", ""],
+        ["--port", "/nowhere/port.toml"],
+        ["--class", "/nowhere"],
+        ["--run", "true", "--scenario", "no-such"],
+        ["--run", "true", "--mode", "noise-free"],
+        ["--run", "true", "--scenario", "one-beam", "--mode", "seed"],
+    ],
+)
+def test_wrong_usage_ends_with_2(arguments: list[str]) -> None:
+    status, _ = invoke(*arguments)
+    assert status == 2
+
+
+def test_a_class_of_one(tmp_path: Path) -> None:
+    place = tmp_path / "class" / "ada"
+    place.mkdir(parents=True)
+    (place / "port.toml").write_text(
+        f"run = {json.dumps(shlex.split(RIGHT))}\n"
+    )
+    status, text = invoke(
+        "--class",
+        str(tmp_path / "class"),
+        "--out",
+        str(tmp_path / "out"),
+        "--scenario",
+        "one-beam",
+    )
+    assert status == 0
+    assert "1 of 1 are as they should be" in text
+    assert (
+        (tmp_path / "out" / "summary.csv")
+        .read_text()
+        .splitlines()[1]
+        .startswith("ada,identical,")
+    )
+
+
+def test_the_python_port_is_identical(tmp_path: Path) -> None:
+    port = scenario_folder().parent / "python" / "port.toml"
+    if not port.is_file():
+        pytest.skip("there is no port beside the installed package")
+    status, text = invoke(
+        "--port",
+        str(port),
+        "--out",
+        str(tmp_path),
+        "--scenario",
+        "octants",
+        "--scenario",
+        "asymmetric",
+    )
+    assert status == 0
+    assert "compared: pixels, and every bit of the log-odds" in text
+
+
+def test_scenarios_are_found_from_an_installed_package(tmp_path: Path) -> None:
+    """The layout of the wheel: both packages side by side, the scenarios in parity/scenarios."""
+    root = scenario_folder().parent
+    if not (root / "compare").is_dir():
+        pytest.skip("this is an installed package")
+    shutil.copytree(root / "compare" / "parity", tmp_path / "site" / "parity")
+    shutil.copytree(root / "python" / "occgrid", tmp_path / "site" / "occgrid")
+    shutil.copytree(
+        root / "scenarios", tmp_path / "site" / "parity" / "scenarios"
+    )
+    code = (
+        "from parity.checking.suite import scenario_folder, case, golden_problem\n"
+        "from parity.modes import NOISE_FREE\n"
+        "import parity.scenarios\n"
+        "print(scenario_folder(), len(case('lesson').data) > 1000, golden_problem('lesson', NOISE_FREE))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, text=True, capture_output=True, check=True,
+        env={"PYTHONPATH": str(tmp_path / "site"), "PATH": "/usr/bin:/bin"},
+    )  # fmt: skip
+    assert done.stdout == f"{tmp_path}/site/parity/scenarios True None\n"

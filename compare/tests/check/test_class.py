@@ -1,0 +1,157 @@
+"""A class: every submission gets its verdict, whatever the others do."""
+
+from __future__ import annotations
+
+import csv
+import json
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from parity.checking.classes import SUMMARY, check_class
+from parity.checking.sandbox import MEBI, Limits
+from parity.checking.suite import scenario_folder
+from parity.checking.verdict import from_json
+from parity.progress import ConsoleProgress
+
+GOLDEN = scenario_folder() / "golden"
+
+# what each submission's shell script does; $1 is the scenario, the working folder is the empty one
+SUBMISSIONS = {
+    "right": (f'cat {GOLDEN}/$(basename "$1" .log).noise-free.pgm', "identical", ""),
+    "hangs": ("sleep 1000", "failed", "hang"),
+    "crashes": ("kill -SEGV $$", "failed", "crash"),
+    "fails": ("echo 'no such luck' >&2; exit 3", "failed", "crash"),
+    "prints-a-gigabyte": ("yes", "failed", "too much output"),
+    "half-a-file": (f'head -c 60 {GOLDEN}/$(basename "$1" .log).noise-free.pgm', "failed", "half a file"),
+    "floats": ("printf 'P2\\n8 5\\n255\\n'; yes '0.5' | head -n 40", "failed", "floats instead of integers"),
+    "wrong-size": ("printf 'P2\\n4 5\\n255\\n'; yes 128 | head -n 20", "failed", "wrong size"),
+    "wrong-magic": ("printf 'P1\\n8 5\\n'; yes 1 | head -n 40", "failed", "wrong magic"),
+    "forks": ("while :; do sleep 1000 & done", "failed", "forks"),
+    "missing-file": ("cat /nowhere/settings", "failed", "missing file"),
+    "writes-nothing": ("true", "failed", "no map"),
+    "writes-into-the-scenario": (
+        f'chmod u+w "$1" 2>/dev/null; cat {GOLDEN}/$(basename "$1" .log).noise-free.pgm; echo x 2>/dev/null >> "$1"',
+        "identical",
+        "",
+    ),
+}  # fmt: skip
+
+
+def declare(folder: Path, script: str) -> None:
+    folder.mkdir(parents=True)
+    (folder / "map.sh").write_text(script + "\n")
+    (folder / "port.toml").write_text('run = ["sh", "map.sh", "{scenario}"]\n')
+
+
+@pytest.fixture(scope="module")
+def checked(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> tuple[Path, list[dict[str, str]], float, str]:
+    """The folder, the rows of the summary, the seconds it took, and what was printed."""
+    folder = tmp_path_factory.mktemp("class")
+    for name, (script, _, _) in SUBMISSIONS.items():
+        declare(folder / "in" / name, script)
+    (folder / "in" / "empty").mkdir()
+    (folder / "in" / "bad-declaration").mkdir()
+    (folder / "in" / "bad-declaration" / "port.toml").write_text("run = 7\n")
+    (folder / "in" / "not-executable").mkdir()
+    (folder / "in" / "not-executable" / "map").write_text("")
+    (folder / "in" / "not-executable" / "port.toml").write_text(
+        'run = ["./map", "{scenario}"]\n'
+    )
+    (folder / "in" / "does-not-build").mkdir()
+    (folder / "in" / "does-not-build" / "port.toml").write_text(
+        'run = ["./map", "{scenario}"]\nbuild = [["sh", "-c", "echo syntax error >&2; exit 1"]]\n'
+    )
+    (folder / "in" / "a-file").write_text("not a submission")
+    limits = Limits(
+        seconds=5, output=2 * MEBI, memory=256 * MEBI, processes=24
+    )
+    console = Console(
+        file=(folder / "printed").open("w"), force_terminal=False
+    )
+    started = time.monotonic()
+    with ConsoleProgress(console) as progress:
+        check_class(
+            folder / "in", folder / "out", limits, 2, progress, timeout=3
+        )
+    seconds = time.monotonic() - started
+    console.file.close()
+    with (folder / "out" / SUMMARY).open() as file:
+        rows = list(csv.DictReader(file))
+    return folder, rows, seconds, (folder / "printed").read_text()
+
+
+def test_each_has_its_own_word(
+    checked: tuple[Path, list[dict[str, str]], float, str],
+) -> None:
+    _, rows, _, _ = checked
+    found = {row["submission"]: (row["verdict"], row["word"]) for row in rows}
+    expected = {
+        name: (verdict, word)
+        for name, (_, verdict, word) in SUBMISSIONS.items()
+    }
+    expected |= {
+        "empty": ("failed", "no port.toml"),
+        "bad-declaration": ("failed", "bad port.toml"),
+        "not-executable": ("failed", "not executable"),
+        "does-not-build": ("failed", "does not build"),
+    }
+    assert found == expected
+
+
+def test_each_has_a_record_and_a_text(
+    checked: tuple[Path, list[dict[str, str]], float, str],
+) -> None:
+    folder, rows, _, printed = checked
+    for row in rows:
+        place = folder / "out" / row["submission"]
+        verdict = from_json((place / "verdict.json").read_text())
+        assert verdict.summary == row["summary"]
+        assert row["summary"] in (place / "verdict.txt").read_text().replace(
+            "\n", " "
+        )
+        assert f"{row['submission']}: {row['summary']}" in printed
+    assert (
+        json.loads((folder / "out" / "floats" / "verdict.json").read_text())[
+            "overall"
+        ]
+        == "failed"
+    )
+
+
+def test_one_that_writes_into_the_scenario_is_told(
+    checked: tuple[Path, list[dict[str, str]], float, str],
+) -> None:
+    folder, _, _, _ = checked
+    verdict = from_json(
+        (
+            folder / "out" / "writes-into-the-scenario" / "verdict.json"
+        ).read_text()
+    )
+    assert "it changed its copy of the scenario file" in verdict.notes
+
+
+def test_nothing_of_them_is_left(
+    checked: tuple[Path, list[dict[str, str]], float, str],
+) -> None:
+    folder, _, _, _ = checked
+    if not sys.platform.startswith("linux"):
+        pytest.skip("there is no /proc")
+    left = []
+    for process in Path("/proc").glob("[0-9]*"):
+        try:
+            command = (process / "cmdline").read_bytes()
+            place = (process / "cwd").readlink()
+        except OSError:
+            continue
+        if command.startswith(b"sleep\x001000") and "parity-check-" in str(
+            place
+        ):
+            left.append(command)
+    assert left == []
+    assert folder.exists()
