@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -44,13 +44,14 @@ class Options:
     """What to check, and how much to explain.
 
     With ``cases`` only these scenarios are mapped, in ``modes`` (default: the program's plain one). ``save`` is the
-    folder for the minimal scenario of the first difference.
+    folder for the minimal scenario of the first difference. ``on_map`` is told of every map that is compared.
     """
 
     cases: Sequence[Case] = ()
     modes: Sequence[Mode] = ()
     explain: bool = True
     save: Path | None = None
+    on_map: Callable[[Judged], None] | None = None
 
 
 class LevelFailed(Exception):
@@ -135,6 +136,8 @@ class _Check:
         compared = compare(observed, one, mode, own_poses=not one.is_file)
         judged = Judged(one, mode, observed, compared, outcome.seconds)
         self.judged[key] = judged
+        if self.options.on_map is not None:
+            self.options.on_map(judged)
         return judged
 
     # --- levels ---

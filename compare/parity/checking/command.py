@@ -9,7 +9,7 @@ import typer
 from rich.console import Console
 
 from occgrid.scenario import ScenarioError
-from parity.checking.check import Options
+from parity.checking.check import Judged, Options
 from parity.checking.classes import SUMMARY, check_class, check_program
 from parity.checking.programs import (
     DEFAULT_TIMEOUT,
@@ -25,6 +25,9 @@ from parity.checking.verdict import to_json
 from parity.modes import NOISE_FREE, Mode, parse_mode
 from parity.progress import ConsoleProgress
 from parity.record import write_text
+from parity.report.check_page import write_check_page
+from parity.report.gradescope import gradescope_json
+from parity.report.junit import verdict_junit_xml
 
 DEFAULT_OUT = Path("parity-check")
 VERDICT = "verdict.json"
@@ -73,6 +76,24 @@ JsonFile = Annotated[
     Path | None,
     typer.Option("--json", metavar="FILE", help="A copy of the record."),
 ]
+Report = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="DIR",
+        help="Write a page that shows every map that was compared.",
+    ),
+]
+JUnit = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Write the levels as JUnit XML."),
+]
+Gradescope = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE",
+        help="Write the levels as an autograder's results.json (Gradescope's form).",
+    ),
+]
 Timeout = Annotated[
     float | None,
     typer.Option(
@@ -115,6 +136,9 @@ def check_command(
     mode: Modes = None,
     out: Out = DEFAULT_OUT,
     json_file: JsonFile = None,
+    report: Report = None,
+    junit: JUnit = None,
+    gradescope: Gradescope = None,
     timeout: Timeout = None,
     max_output: Output = 256,
     max_memory: Memory = 2048,
@@ -145,6 +169,10 @@ def check_command(
         modes = [parse_mode(word) for word in mode or []]
         if modes and not cases:
             raise ValueError("--mode goes with --scenario")
+        if class_folder is not None and (report or junit or gradescope):
+            raise ValueError(
+                "--report, --junit and --gradescope are for one program"
+            )
         if class_folder is not None and not class_folder.is_dir():
             raise ValueError(f"{class_folder} is no folder")
         program = _program(run, port, timeout)
@@ -165,14 +193,21 @@ def check_command(
     own = Limits(
         program.timeout, limits.output, limits.memory, limits.processes
     )
-    options = Options(cases, modes, explain, out)
+    maps: list[Judged] = []
+    options = Options(cases, modes, explain, out, maps.append)
     verdict = check_program(program, own, options)
     out.mkdir(parents=True, exist_ok=True)
     for file in (out / VERDICT, json_file):
         if file is not None:
             write_text(file, to_json(verdict))
+    if junit is not None:
+        write_text(junit, verdict_junit_xml(verdict))
+    if gradescope is not None:
+        write_text(gradescope, gradescope_json(verdict))
     _print(console, verdict_text(verdict).rstrip())
     _print(console, f"record: {out / VERDICT}")
+    if report is not None:
+        _print(console, f"report: {write_check_page(verdict, maps, report)}")
     raise typer.Exit(verdict.exit_status)
 
 

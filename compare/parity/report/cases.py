@@ -13,10 +13,22 @@ from occgrid.grid import GridSpec
 from occgrid.scenario import ScenarioError, read_scenario
 from parity.errors import OutputError
 from parity.modes import Mode, parse_mode
-from parity.outputs import MapOutput, read_map
+from parity.outputs import read_map
 from parity.record import Result, RunRecord, ScenarioRecord
 from parity.report.frames import Frames, lesson_or_file, record_frames
 from parity.table import explain
+
+
+@dataclass(frozen=True)
+class DrawnMap:
+    """What is shown of a map.
+
+    ``pixels`` (height, width), largest y first; ``log_odds`` the same shape, smallest
+    y first, None where the program writes none.
+    """
+
+    pixels: NDArray[np.unsignedinteger]
+    log_odds: NDArray[np.float64] | None
 
 
 @dataclass(frozen=True)
@@ -44,7 +56,7 @@ class Case:
     about: str
     spec: GridSpec | None
     ports: list[PortMap]
-    maps: list[MapOutput] = field(default_factory=list)
+    maps: list[DrawnMap] = field(default_factory=list)
     frames: Frames | None = None
 
     @property
@@ -72,12 +84,12 @@ def _case(
         record.result(port.name, scenario.name, mode.name)
         for port in record.ports
     ]
-    maps: list[MapOutput] = []
+    maps: list[DrawnMap] = []
     ports = {}
     # the reference first: what it drew is what is expected
     for result in sorted(results, key=lambda r: r.port != record.reference):
         found = _read(folder, result, scenario.map)
-        index = None if found is None else _place(maps, found)
+        index = None if found is None else place(maps, found)
         ports[result.port] = PortMap(result, explain(result), index)
     about, spec, frames = _scenario(scenario, mode)
     return Case(
@@ -91,16 +103,17 @@ def _case(
     )
 
 
-def _read(folder: Path, result: Result, name: str) -> MapOutput | None:
+def _read(folder: Path, result: Result, name: str) -> DrawnMap | None:
     if result.picture is None:
         return None
     try:
-        return read_map((folder / result.picture).parent, name)
+        found = read_map((folder / result.picture).parent, name)
     except OutputError:
         return None
+    return DrawnMap(found.pixels, found.log_odds)
 
 
-def _place(maps: list[MapOutput], found: MapOutput) -> int:
+def place(maps: list[DrawnMap], found: DrawnMap) -> int:
     """The index of a map among the different ones; it is added where it is new."""
     for index, known in enumerate(maps):
         if _same(known.pixels, found.pixels) and _same(
@@ -111,7 +124,11 @@ def _place(maps: list[MapOutput], found: MapOutput) -> int:
     return len(maps) - 1
 
 
-def _same(a: NDArray[np.generic], b: NDArray[np.generic]) -> bool:
+def _same(
+    a: NDArray[np.generic] | None, b: NDArray[np.generic] | None
+) -> bool:
+    if a is None or b is None:
+        return a is b
     return a.shape == b.shape and a.tobytes() == b.tobytes()
 
 

@@ -32,8 +32,11 @@ def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
     return page
 
 
-def render(record: RunRecord, cases: Iterable[Case]) -> str:
-    """The page as text; nothing in it is loaded from elsewhere."""
+def render(record: RunRecord, cases: Iterable[Case], verdict: str = "") -> str:
+    """The page as text; nothing in it is loaded from elsewhere.
+
+    ``verdict`` stands on top, as it is.
+    """
     environment = Environment(
         loader=PackageLoader("parity.report", "assets"),
         autoescape=True,
@@ -46,6 +49,7 @@ def render(record: RunRecord, cases: Iterable[Case]) -> str:
         record=record,
         cases=[(number, case) for number, case in shown],
         data={number: _json(_case(record, case)) for number, case in shown},
+        verdict=verdict,
         summary=summary(record),
         footnotes=footnotes(record),
         style=Markup(_asset("page.css")),
@@ -89,7 +93,9 @@ def _case(record: RunRecord, case: Case) -> dict[str, Any]:
                 "width": int(drawn.pixels.shape[1]),
                 "height": int(drawn.pixels.shape[0]),
                 "pixels": pack(drawn.pixels.astype(np.uint8).tobytes()),
-                "logOdds": pack_log_odds(drawn.log_odds),
+                "logOdds": None
+                if drawn.log_odds is None
+                else pack_log_odds(drawn.log_odds),
             }
             for drawn in case.maps
         ],

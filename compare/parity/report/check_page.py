@@ -1,0 +1,122 @@
+"""The page of a check: the verdict, and every map of the program beside the reference's."""
+
+from __future__ import annotations
+
+import platform
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+
+from occgrid.scenario import Scenario
+from parity.checking.check import Judged
+from parity.checking.reference import reference_map, world_of
+from parity.checking.text import verdict_text
+from parity.checking.verdict import Verdict
+from parity.record import (
+    SCHEMA,
+    PortRecord,
+    Result,
+    RunRecord,
+    ScenarioRecord,
+    Status,
+    write_text,
+)
+from parity.report.cases import Case, DrawnMap, PortMap, place
+from parity.report.frames import record_frames
+from parity.report.page import PAGE_FILE, render
+
+EXPECTED = "reference"
+
+
+def write_check_page(
+    verdict: Verdict, judged: list[Judged], target: Path
+) -> Path:
+    """Write the page of a check into a folder, made where it is missing; returns its file.
+
+    ``judged`` are the maps that the check has compared.
+    """
+    target.mkdir(parents=True, exist_ok=True)
+    page = target / PAGE_FILE
+    text = render(
+        _record(verdict, judged),
+        [_case(verdict, one) for one in judged],
+        verdict_text(verdict),
+    )
+    write_text(page, text)
+    return page
+
+
+def _record(verdict: Verdict, judged: list[Judged]) -> RunRecord:
+    """The check in the form of a run of two: the reference and the program."""
+    names = list(dict.fromkeys(one.case.name for one in judged))
+    modes = list(dict.fromkeys(one.mode.name for one in judged))
+    return RunRecord(
+        schema=SCHEMA,
+        started=datetime.now(UTC).isoformat(timespec="seconds"),
+        seconds=verdict.seconds,
+        machine=f"{platform.system()} {platform.machine()}",
+        folder="",
+        reference=EXPECTED,
+        modes=modes,
+        ports=[
+            PortRecord(EXPECTED, "the suite", reference=True),
+            PortRecord(verdict.program, verdict.command, reference=False),
+        ],
+        scenarios=[ScenarioRecord(name, name, None) for name in names],
+        results=[
+            result for one in judged for result in _results(verdict, one)
+        ],
+        processes=[],
+    )
+
+
+def _results(verdict: Verdict, one: Judged) -> tuple[Result, Result]:
+    """The reference's result, which is given, and the program's."""
+    said = one.result.message
+    status: Status = (
+        "differs" if one.compared.status == "differs" else "identical"
+    )
+    key = (one.case.name, one.mode.name)
+    return (
+        Result(EXPECTED, *key, "identical"),
+        Result(
+            verdict.program,
+            *key,
+            status,
+            reason=said,
+            compared_with=[EXPECTED],
+        ),
+    )
+
+
+def _case(verdict: Verdict, one: Judged) -> Case:
+    world = world_of(one.case)
+    drawn = reference_map(one.case, one.mode)
+    maps: list[DrawnMap] = []
+    expected, found = _results(verdict, one)
+    pixels = one.observed.pixels.astype(np.uint16)
+    own = DrawnMap(pixels, one.observed.log_odds)
+    words = [f"{one.case.name}, {one.mode.name}: {one.result.message}"]
+    ports = [
+        PortMap(
+            expected,
+            ["what the contract says"],
+            place(
+                maps, DrawnMap(drawn.pixels.astype(np.uint16), drawn.log_odds)
+            ),
+        ),
+        PortMap(found, words, place(maps, own)),
+    ]
+    scenario = Scenario(
+        one.case.name, world.settings, list(world.walls), iter(world.scans)
+    )
+    return Case(
+        scenario=one.case.name,
+        mode=one.mode,
+        about="",
+        spec=world.settings.new_grid().spec,
+        ports=ports,
+        maps=maps,
+        frames=record_frames(scenario, one.mode.seed),
+    )
