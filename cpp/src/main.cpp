@@ -17,9 +17,11 @@
 namespace {
 
 constexpr std::int64_t max_seed = 4294967295;
+constexpr std::int64_t max_threads = 256;
 
 const char* const usage =
-    "usage: occgrid [--noise-free | --seed N] [--out DIR] [SCENARIO...]\n"
+    "usage: occgrid [--noise-free | --seed N] [--out DIR] [--threads N] "
+    "[SCENARIO...]\n"
     "\n"
     "Maps range scans into an occupancy grid. Without a scenario: the "
     "built-in lesson.\n"
@@ -29,6 +31,8 @@ const char* const usage =
     "  --seed N      seed of the noise, 0 to 4294967295 (default: 0)\n"
     "  --out DIR     write NAME.pgm, NAME.yaml and NAME.logodds there, not a "
     "PGM to standard output\n"
+    "  --threads N   map on N threads, 1 to 256 (default: 1); the map is the "
+    "same\n"
     "  --version     print the version\n"
     "  --help        print this\n";
 
@@ -43,6 +47,7 @@ struct UsageError : std::runtime_error {
 struct Options {
   std::optional<std::uint32_t> seed = 0;  ///< none: free of noise
   std::optional<std::string> out;
+  int threads = 1;
   std::vector<std::string> scenarios;
   const char* text = nullptr;  ///< to print instead of mapping
 };
@@ -55,6 +60,15 @@ std::uint32_t parse_seed(const std::string& text) {
         "'");
   }
   return static_cast<std::uint32_t>(*seed);
+}
+
+int parse_threads(const std::string& text) {
+  const std::optional<std::int64_t> threads = occgrid::parse_whole(text);
+  if (!threads || *threads < 1 || *threads > max_threads) {
+    throw UsageError("--threads takes a whole number from 1 to 256, not '" +
+                     text + "'");
+  }
+  return static_cast<int>(*threads);
 }
 
 /// Throws UsageError.
@@ -84,6 +98,8 @@ Options parse_options(const std::vector<std::string>& arguments) {
       seeded = true;
     } else if (argument == "--out") {
       options.out = value();
+    } else if (argument == "--threads") {
+      options.threads = parse_threads(value());
     } else if (!argument.empty() && argument[0] == '-') {
       throw UsageError("unknown option " + argument);
     } else {
@@ -108,7 +124,9 @@ Options parse_options(const std::vector<std::string>& arguments) {
 /// Maps one scenario and writes what was asked for.
 void map_one(const occgrid::Scenario& scenario, const Options& options) {
   const occgrid::OccupancyGrid grid =
-      occgrid::map_scenario(scenario, options.seed);
+      options.threads == 1 ? occgrid::map_scenario(scenario, options.seed)
+                           : occgrid::map_scenario_in_bands(
+                                 scenario, options.seed, options.threads);
   if (options.out) {
     occgrid::write_map(*options.out, scenario.name, grid);
   } else {

@@ -1,7 +1,11 @@
 #include "mapper.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <future>
+#include <utility>
+
 #include "noise.hpp"
-#include "sensor.hpp"
 #include "world.hpp"
 
 namespace occgrid {
@@ -10,11 +14,23 @@ namespace occgrid {
 OccupancyGrid map_scenario(const Scenario& scenario,
                            std::optional<std::uint32_t> seed) {
   const Settings& settings = scenario.settings;
+  OccupancyGrid grid = settings.new_grid();
+  const auto next_scan = simulated_scans(scenario, seed);
+  while (const auto scan = next_scan()) {
+    update_grid_from_scan(grid, *scan, settings.max_range, settings.no_return);
+  }
+  return grid;
+}
+
+std::function<std::optional<Scan>()> simulated_scans(
+    const Scenario& scenario, std::optional<std::uint32_t> seed) {
+  const Settings& settings = scenario.settings;
   const double z_max = settings.max_range;
   const auto angles = beam_angles(settings.fov, settings.beams);
-  OccupancyGrid grid = settings.new_grid();
   std::uint32_t number = 0;
-  while (auto next = scenario.next_scan()) {
+  return [=, &scenario, &settings]() mutable -> std::optional<Scan> {
+    auto next = scenario.next_scan();
+    if (!next) return std::nullopt;
     if (const Pose* pose = std::get_if<Pose>(&*next)) {
       auto ranges = simulate_lidar_scan(*pose, scenario.walls, angles, z_max);
       if (seed) {
@@ -22,12 +38,75 @@ OccupancyGrid map_scenario(const Scenario& scenario,
       }
       next = Scan{*pose, angles, std::move(ranges)};
     }
-    const Scan& scan = std::get<Scan>(*next);
-    update_grid_from_scan(grid, scan, z_max, settings.no_return);
     ++number;
+    return std::get<Scan>(std::move(*next));
+  };
+}
+// [/snippet]
+
+OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
+                                    std::optional<std::uint32_t> seed,
+                                    int threads) {
+  constexpr std::size_t batch_beams = 1 << 15;
+  const Settings& settings = scenario.settings;
+  OccupancyGrid grid = settings.new_grid();
+  const auto next_scan = simulated_scans(scenario, seed);
+  const auto read_batch = [&] {
+    std::vector<Beam> beams;
+    while (beams.size() < batch_beams) {
+      const auto scan = next_scan();
+      if (!scan) break;
+      append_beams(beams, grid, *scan, settings.max_range, settings.no_return);
+    }
+    return beams;
+  };
+  // This thread reads the next batch while the others update their rows from
+  // the one before. If it throws, their futures wait for them.
+  for (auto batch = read_batch(); !batch.empty();) {
+    std::vector<std::future<void>> bands;
+    for (const Rows rows : cut_bands(batch, settings.height, threads)) {
+      bands.push_back(std::async(std::launch::async, [&grid, &batch, rows] {
+        update_rows_from_beams(grid, batch, rows);
+      }));
+    }
+    auto next_batch = read_batch();
+    for (auto& band : bands) band.get();
+    batch = std::move(next_batch);
   }
   return grid;
 }
-// [/snippet]
+
+std::vector<Rows> cut_bands(const std::vector<Beam>& beams,
+                            std::int64_t height, int bands) {
+  // how many more cells a row has of the beams than the row before
+  std::vector<double> rise(static_cast<std::size_t>(height) + 1, 0.0);
+  double all = 0.0;
+  for (const Beam& beam : beams) {
+    const auto [low, high] = std::minmax(beam.robot.gy, beam.end.gy);
+    const std::int64_t first = std::max<std::int64_t>(low, 0);
+    const std::int64_t last = std::min(high, height - 1);
+    if (last < first) continue;
+    const std::int64_t columns = std::abs(beam.end.gx - beam.robot.gx);
+    const std::int64_t rows = high - low + 1;
+    const double in_a_row = std::max(
+        1.0, static_cast<double>(columns) / static_cast<double>(rows));
+    rise[static_cast<std::size_t>(first)] += in_a_row;
+    rise[static_cast<std::size_t>(last + 1)] -= in_a_row;
+    all += in_a_row * static_cast<double>(last - first + 1);
+  }
+  std::vector<Rows> cut;
+  std::int64_t row = 0;
+  double cells = 0.0, before = 0.0;
+  for (int band = 1; band <= bands; ++band) {
+    const std::int64_t first = row;
+    while (row < height && (band == bands || before < all * band / bands)) {
+      cells += rise[static_cast<std::size_t>(row)];
+      before += cells;
+      ++row;
+    }
+    cut.push_back({first, row - 1});
+  }
+  return cut;
+}
 
 }  // namespace occgrid

@@ -223,6 +223,29 @@ inline double cos(double x) {
   }
 }
 
+/// sin(x) and cos(x) of one x, which is reduced once.
+struct SinCos {
+  double sin, cos;
+};
+
+inline SinCos sin_cos(double x) {
+  using namespace detail;
+  if (is_reduced(x)) return {kernel_sin(x, 0.0, false), kernel_cos(x, 0.0)};
+  const auto [n, y0, y1] = rem_pio2(x);
+  const double s = kernel_sin(y0, y1, true);
+  const double c = kernel_cos(y0, y1);
+  switch (n & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
 namespace detail {
 
 // ln 2 in two parts

@@ -58,9 +58,9 @@ Endpoints beam_endpoints(const Pose& pose, const Eigen::ArrayXd& angles,
                          const Eigen::ArrayXd& z) {
   Endpoints ends{Eigen::ArrayXd(z.size()), Eigen::ArrayXd(z.size())};
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const double beam = pose.theta + angles[i];
-    ends.x[i] = pose.x + z[i] * cos(beam);
-    ends.y[i] = pose.y + z[i] * sin(beam);
+    const SinCos beam = sin_cos(pose.theta + angles[i]);
+    ends.x[i] = pose.x + z[i] * beam.cos;
+    ends.y[i] = pose.y + z[i] * beam.sin;
   }
   return ends;
 }
@@ -114,7 +114,7 @@ void update_steps(GridArray& log_odds, const Line& line, Steps steps,
   std::int64_t cell = line.from.gy * log_odds.cols() + line.from.gx +
                       steps.first * step_major + minor * step_minor;
   double* const l = log_odds.data();
-  for (std::int64_t k = steps.first; k <= steps.last; ++k) {
+  for (std::int64_t left = steps.last - steps.first + 1; left > 0; --left) {
     double& value = l[cell + (position >> fraction_bits) * step_minor];
     value = update(value);
     cell += step_major;
@@ -124,18 +124,19 @@ void update_steps(GridArray& log_odds, const Line& line, Steps steps,
 
 /// Adds the evidence l_update - l0 to the cells of some steps of a line, all
 /// in the grid. All of it has one sign and every cell lies within the bounds
-/// before, so that only one bound can be crossed.
+/// before, so that only one bound can be crossed. Written in this order, each
+/// comparison is one instruction of the processor (maxsd, minsd).
 void update_line(OccupancyGrid& grid, const Line& line, Steps steps,
                  double l_update) {
   const double delta = l_update - grid.l0;
   const double l_min = grid.l_min, l_max = grid.l_max;
   if (delta < 0.0) {
     update_steps(grid.log_odds, line, steps, [=](double l) {
-      return l + delta < l_min ? l_min : l + delta;
+      return l + delta > l_min ? l + delta : l_min;
     });
   } else {
     update_steps(grid.log_odds, line, steps, [=](double l) {
-      return l + delta > l_max ? l_max : l + delta;
+      return l + delta < l_max ? l + delta : l_max;
     });
   }
 }
@@ -160,5 +161,35 @@ void update_grid_from_scan(OccupancyGrid& grid, const Scan& scan, double z_max,
   }
 }
 // [/snippet]
+
+void append_beams(std::vector<Beam>& beams, const OccupancyGrid& grid,
+                  const Scan& scan, double z_max, NoReturn no_return) {
+  const Readings readings = read_ranges(scan.ranges, z_max, no_return);
+  const Endpoints ends = beam_endpoints(scan.pose, scan.angles, readings.z);
+  const Cell robot = grid.world_to_grid(scan.pose.x, scan.pose.y);
+  for (Eigen::Index i = 0; i < ends.x.size(); ++i) {
+    if (!readings.used[i]) continue;
+    const Cell end = grid.world_to_grid(ends.x[i], ends.y[i]);
+    beams.push_back({robot, end, readings.hit[i]});
+  }
+}
+
+void update_rows_from_beams(OccupancyGrid& grid,
+                            const std::vector<Beam>& beams, Rows rows) {
+  for (const Beam& beam : beams) {
+    const auto [low, high] = std::minmax(beam.robot.gy, beam.end.gy);
+    if (high < rows.first || rows.last < low) continue;
+    const Line line(beam.robot, beam.end);
+    // the rows as a grid of their own
+    Line above = line;
+    above.from.gy -= rows.first;
+    Steps free = clip_ray(above, grid.spec.width, rows.last - rows.first + 1);
+    if (beam.hit) free.last = std::min(free.last, line.a - 1);
+    update_line(grid, line, free, grid.l_free);
+    const bool ends_here =
+        rows.first <= beam.end.gy && beam.end.gy <= rows.last;
+    if (beam.hit && ends_here) grid.update_cell(beam.end, grid.l_occ);
+  }
+}
 
 }  // namespace occgrid

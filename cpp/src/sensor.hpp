@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <vector>
 
 #include "grid.hpp"
 #include "world.hpp"
@@ -34,6 +36,19 @@ struct Endpoints {
   Eigen::ArrayXd y;
 };
 
+/// A beam that says something, in cells; both may lie outside the grid.
+struct Beam {
+  Cell robot;  ///< where it begins
+  Cell end;    ///< where it ends
+  bool hit;    ///< whether something stands there
+};
+
+/// Rows first .. last of a grid; none where last < first.
+struct Rows {
+  std::int64_t first;
+  std::int64_t last;
+};
+
 /// Bearings (n_beams, radians) of a simulated scan over `fov` radians.
 Eigen::ArrayXd beam_angles(double fov, Eigen::Index n_beams);
 
@@ -57,5 +72,14 @@ Endpoints beam_endpoints(const Pose& pose, const Eigen::ArrayXd& angles,
 /// a longer one throws std::length_error.
 void update_grid_from_scan(OccupancyGrid& grid, const Scan& scan, double z_max,
                            NoReturn no_return = NoReturn::free);
+
+/// Appends the beams of a scan, in order, without those that say nothing.
+void append_beams(std::vector<Beam>& beams, const OccupancyGrid& grid,
+                  const Scan& scan, double z_max, NoReturn no_return);
+
+/// update_grid_from_scan for beams of any number of scans, in order, but only
+/// for some rows of the grid.
+void update_rows_from_beams(OccupancyGrid& grid,
+                            const std::vector<Beam>& beams, Rows rows);
 
 }  // namespace occgrid

@@ -53,6 +53,18 @@ TEST_F(Command, LessonWithoutScenario) {
             "image: lesson.pgm\n");
 }
 
+TEST_F(Command, ThreadsDrawTheSameMap) {
+  EXPECT_EQ(run("--out a"), 0);
+  EXPECT_EQ(run("--out b --threads 2"), 0);
+  EXPECT_EQ(folder_.read("a/lesson.logodds"),
+            folder_.read("b/lesson.logodds"));
+  EXPECT_EQ(folder_.read("a/lesson.pgm"), folder_.read("b/lesson.pgm"));
+  folder_.write("a.log", scenario_ + "POSE 0 0\n");
+  EXPECT_EQ(run("--out d --threads 2 a.log"), 1);
+  EXPECT_EQ(err(), "a.log:8: POSE takes 3 values, found 2\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_.file("d/a.pgm")));
+}
+
 TEST_F(Command, SeveralScenarios) {
   folder_.write("a.log", scenario_);
   folder_.write("b.log", "POSE 0 0 0\n");
@@ -86,7 +98,8 @@ TEST_F(Command, BadUsage) {
   for (const char* arguments :
        {"--bogus", "--seed", "--seed x", "--seed -1", "--seed 4294967296",
         "--seed 1.0", "--out", "--out --noise-free", "--noise-free --seed 1",
-        "a.log b.log", "--out d a.log d/a.txt", "-x a.log"}) {
+        "a.log b.log", "--out d a.log d/a.txt", "-x a.log", "--threads",
+        "--threads 0", "--threads -1", "--threads x", "--threads 257"}) {
     EXPECT_EQ(run(arguments), 2) << arguments;
     EXPECT_NE(err().find("usage: occgrid"), std::string::npos);
     EXPECT_EQ(out(), "");
