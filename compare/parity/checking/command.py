@@ -204,10 +204,11 @@ def check_command(
         write_text(junit, verdict_junit_xml(verdict))
     if gradescope is not None:
         write_text(gradescope, gradescope_json(verdict))
+    page = None if report is None else write_check_page(verdict, maps, report)
     _print(console, verdict_text(verdict).rstrip())
     _print(console, f"record: {out / VERDICT}")
-    if report is not None:
-        _print(console, f"report: {write_check_page(verdict, maps, report)}")
+    if page is not None:
+        _print(console, f"report: {page}")
     raise typer.Exit(verdict.exit_status)
 
 
