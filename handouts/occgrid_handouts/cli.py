@@ -1,0 +1,62 @@
+"""The command line: python handouts/build.py --out DIR"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from occgrid_handouts.building import build
+from occgrid_handouts.languages import BY_ID, LANGUAGES
+from occgrid_handouts.project import ROOT, current_edition
+from occgrid_handouts.snippets import SnippetError
+from occgrid_handouts.typesetting import TypesettingError
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Builds the handouts; returns the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="handouts/build.py",
+        description="Build the course handouts: PDF, HTML, notebooks.",
+    )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "handouts",
+        metavar="DIR",
+        help="where to (default: build/handouts)",
+    )
+    parser.add_argument(
+        "--language",
+        action="append",
+        choices=sorted(BY_ID),
+        help="only this one, and others given likewise (default: all five)",
+    )
+    parser.add_argument(
+        "--jobs", type=int, default=2, help="processes side by side"
+    )
+    parser.add_argument("--quiet", action="store_true", help="say nothing")
+    options = parser.parse_args(arguments)
+    chosen = options.language or [language.id for language in LANGUAGES]
+    started = time.monotonic()
+
+    def say(text: str) -> None:
+        if not options.quiet:
+            print(f"{time.monotonic() - started:6.1f} s  {text}", flush=True)
+
+    try:
+        files = build(
+            ROOT,
+            options.out.resolve(),
+            [language for language in LANGUAGES if language.id in chosen],
+            current_edition(),
+            options.jobs,
+            say,
+        )
+    except (SnippetError, TypesettingError, FileExistsError) as error:
+        print(f"handouts: {error}", file=sys.stderr)
+        return 1
+    say(f"{len(files)} files in {options.out}")
+    return 0

@@ -1,0 +1,115 @@
+"""Everything that the text takes from outside: code, numbers, tables, as one JSON file; and the figures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from occgrid.grid import logit
+from occgrid.lesson import lesson_settings
+from occgrid_handouts import figures, sensor_designs
+from occgrid_handouts.languages import Language
+from occgrid_handouts.lesson_run import lesson_facts, run_lesson
+from occgrid_handouts.one_beam import one_beam_facts, run_one_beam
+from occgrid_handouts.port_maps import run_ports
+from occgrid_handouts.problems import problem_facts
+from occgrid_handouts.programs import read_programs
+from occgrid_handouts.project import COMMAND, Edition
+from occgrid_handouts.snippets import NAMES, read_snippets, require
+from occgrid_handouts.story import tell_story
+
+HANDOUTS = Path(__file__).resolve().parents[1]
+
+# how each port is run, as the text shows it
+COMMANDS = {
+    "python": ("occgrid --noise-free --out out", "occgrid --plot lesson.png"),
+    "cpp": (
+        "cpp/build/occgrid --noise-free --out out",
+        "cpp/build/occgrid --seed 1 > lesson.pgm",
+    ),
+    "java": (
+        "java -jar java/target/occgrid.jar --noise-free --out out",
+        "java -jar java/target/occgrid.jar --seed 1 > lesson.pgm",
+    ),
+    "matlab": (
+        "octave-cli matlab/occgrid_cli.m --noise-free --out out",
+        "octave-cli matlab/occgrid_cli.m --seed 1 > lesson.pgm",
+    ),
+    "mathematica": (
+        "wolframscript -file mathematica/occgrid.wls --noise-free --out out",
+        "woxi run mathematica/occgrid.wls --seed 1 > lesson.pgm",
+    ),
+}
+
+
+def snippet_facts(
+    root: Path, languages: Sequence[Language]
+) -> dict[str, dict[str, object]]:
+    """Each language's snippets. Raises SnippetError where one is missing or unknown."""
+    facts: dict[str, dict[str, object]] = {}
+    for language in languages:
+        found = read_snippets(root, language)
+        require(language, found, NAMES)
+        facts[language.id] = {
+            name: {
+                "file": found[name].file,
+                "first": found[name].first,
+                "last": found[name].last,
+                "code": found[name].code,
+            }
+            for name in NAMES
+        }
+    return facts
+
+
+def gather(
+    root: Path,
+    work: Path,
+    languages: Sequence[Language],
+    edition: Edition,
+    figure_folder: Path,
+) -> dict[str, object]:
+    """Runs what there is to run, draws the figures, and returns the facts."""
+    snippets = snippet_facts(root, languages)
+    run = run_lesson()
+    beam = run_one_beam(root)
+    clamp = sensor_designs.clamp_story(run.history)
+    made = sensor_designs.designs()
+    story = tell_story(HANDOUTS / "platform_math", work / "platform_math")
+    figures.draw_figures(figure_folder, run, beam, clamp, made, story)
+    settings = lesson_settings()
+    lesson = lesson_facts(run)
+    cells = run.history[0].size
+    lesson["map_digits"] = math.floor(cells * math.log10(2.0)) + 1
+    both = logit(settings.p_occ) + logit(settings.p_free)
+    problems = problem_facts() | {"both": f"{both:+.4f}"}
+    ports = run_ports(root, work / "ports", languages)
+    return {
+        "version": edition.version,
+        "commit": edition.commit,
+        "command": COMMAND,
+        "languages": {
+            language.id: {
+                "name": language.name,
+                "syntax": language.syntax,
+                "run": COMMANDS[language.id],
+            }
+            for language in languages
+        },
+        "pages": {
+            language.id: f"{language.id}.html" for language in languages
+        },
+        "snippets": snippets,
+        "programs": {
+            language.id: read_programs(HANDOUTS, language)
+            for language in languages
+        },
+        "lesson": lesson,
+        "one_beam": one_beam_facts(beam),
+        "clamp": sensor_designs.clamp_facts(clamp),
+        "designs": sensor_designs.design_facts(made),
+        "problems": problems,
+        "story": story.facts,
+        "ports": [one.facts() for one in ports],
+    }

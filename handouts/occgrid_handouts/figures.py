@@ -1,0 +1,213 @@
+"""The figures, drawn from the suite's own runs as SVG that is the same at every build."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import numpy.typing as npt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+
+from occgrid.grid import sigmoid
+from occgrid.lesson import lesson_poses, lesson_settings, lesson_world
+from occgrid_handouts.lesson_run import LessonRun
+from occgrid_handouts.one_beam import OneBeam
+from occgrid_handouts.sensor_designs import ClampStory, Design
+from occgrid_handouts.story import Story
+
+Array = npt.NDArray[np.float64]
+
+INK, BLUE, ORANGE, GREY = "#222222", "#1f5fa8", "#c4500a", "#8a8a8a"
+OUTSIDE = "#f7e6c4"
+FREE, OCCUPIED = "#cfe3f7", "#c4500a"
+SETTINGS: dict[Any, Any] = {
+    "svg.hashsalt": "occgrid",  # names inside the SVG, otherwise random
+    "svg.fonttype": "path",
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "axes.edgecolor": INK,
+    "axes.linewidth": 0.7,
+    "savefig.dpi": 220,
+}
+
+
+def draw_figures(
+    folder: Path,
+    run: LessonRun,
+    beam: OneBeam,
+    clamp: ClampStory,
+    made: list[Design],
+    story: Story,
+) -> None:
+    """Writes every figure into a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for scans, log_odds in run.snapshots.items():
+        with _figure(folder / f"map-{scans}.svg", 3.2, 2.9) as axes:
+            _map(axes, sigmoid(log_odds))
+            _trail(axes, scans)
+    with _figure(folder / "one-beam.svg", 5.2, 3.4) as axes:
+        _one_beam(axes, beam)
+    with _figure(folder / "clamp.svg", 5.2, 3.0) as axes:
+        _clamp(axes, clamp)
+    for design in made:
+        for scans, probability in design.probability.items():
+            name = f"design-{design.p_occ:g}-{scans}.svg"
+            with _figure(folder / name, 3.2, 2.9) as axes:
+                _map(axes, probability)
+    with _figure(folder / "differences.svg", 5.2, 4.2) as axes:
+        _differences(axes, sigmoid(run.snapshots[120]), story)
+
+
+@contextmanager
+def _figure(path: Path, width: float, height: float) -> Iterator[Axes]:
+    """Axes of a figure in inches, which is written at the end, without a date."""
+    with mpl.rc_context(SETTINGS):
+        figure = Figure(figsize=(width, height), layout="constrained")
+        yield figure.subplots()
+        figure.savefig(path, format="svg", metadata={"Date": None})
+
+
+def _extent() -> tuple[float, float, float, float]:
+    s = lesson_settings()
+    right = s.origin_x + s.width * s.resolution
+    top = s.origin_y + s.height * s.resolution
+    return s.origin_x, right, s.origin_y, top
+
+
+def _map(axes: Axes, probability: Array) -> None:
+    """A map in greys, white where it is free, axes in metres."""
+    axes.imshow(
+        1.0 - probability,
+        cmap="gray",
+        vmin=0.0,
+        vmax=1.0,
+        origin="lower",
+        extent=_extent(),
+        interpolation="nearest",
+    )
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+    axes.set_xticks([-10, -5, 0, 5, 10])
+    axes.set_yticks([-8, -4, 0, 4, 8])
+
+
+def _trail(axes: Axes, scans: int) -> None:
+    """The poses of the first scans."""
+    x, y, _ = zip(*lesson_poses()[:scans], strict=True)
+    axes.plot(x, y, ".", color=ORANGE, markersize=2.5)
+    _, right, bottom, top = _extent()
+    axes.set_facecolor(OUTSIDE)
+    axes.set_xlim(-12.5, right)
+    axes.set_ylim(bottom, top)
+
+
+def _one_beam(axes: Axes, beam: OneBeam) -> None:
+    """The beam over the grid, its cells coloured and numbered."""
+    spec = beam.grid.spec
+    for k, (gx, gy) in enumerate(beam.cells):
+        last = beam.hit and k == len(beam.cells) - 1
+        axes.add_patch(
+            Rectangle((gx, gy), 1, 1, color=OCCUPIED if last else FREE, lw=0)
+        )
+        axes.text(
+            gx + 0.06,
+            gy + 0.90,
+            f"k = {k}",
+            ha="left",
+            va="top",
+            fontsize=9,
+            color="white" if last else INK,
+        )
+        value = beam.grid.log_odds[gy, gx]
+        axes.text(
+            gx + 0.95,
+            gy + 0.07,
+            f"{value:+.2f}",
+            ha="right",
+            va="bottom",
+            fontsize=9,
+            color="white" if last else BLUE,
+        )
+    axes.plot([beam.x, beam.ex], [beam.y, beam.ey], color=INK, lw=1.4)
+    axes.plot([beam.x], [beam.y], "o", color=INK, markersize=6)
+    axes.plot([beam.ex], [beam.ey], "s", color=INK, markersize=5)
+    axes.set_xlim(0, spec.width)
+    axes.set_ylim(0, spec.height)
+    axes.set_aspect("equal")
+    axes.set_xticks(
+        np.arange(spec.width) + 0.5, list(map(str, range(spec.width)))
+    )
+    axes.set_yticks(
+        np.arange(spec.height) + 0.5, list(map(str, range(spec.height)))
+    )
+    axes.set_xticks(range(spec.width + 1), minor=True)
+    axes.set_yticks(range(spec.height + 1), minor=True)
+    axes.grid(which="minor", color=GREY, lw=0.6)
+    axes.tick_params(which="both", length=0)
+    axes.set_xlabel("column $g_x$")
+    axes.set_ylabel("row $g_y$")
+
+
+def _clamp(axes: Axes, clamp: ClampStory) -> None:
+    """Log-odds of one cell after each scan, with and without the clamp."""
+    settings = lesson_settings()
+    scans = np.arange(1, clamp.clamped.size + 1)
+    axes.axhspan(settings.l_min, settings.l_max, color="#f1f1ee", zorder=0)
+    for bound in (settings.l_min, settings.l_max):
+        axes.axhline(bound, color=GREY, lw=0.8)
+    axes.axhline(0.0, color=GREY, lw=0.6, ls=":")
+    axes.step(
+        scans,
+        clamp.unclamped,
+        where="post",
+        color=ORANGE,
+        lw=1.3,
+        ls=(0, (4, 2)),
+        label="without the clamp",
+    )
+    axes.step(
+        scans,
+        clamp.clamped,
+        where="post",
+        color=BLUE,
+        lw=1.8,
+        label="clamped, as in the ports",
+    )
+    axes.set_xlim(1, scans[-1])
+    axes.set_xlabel("scan")
+    axes.set_ylabel("log-odds")
+    axes.legend(frameon=False, loc="best")
+
+
+def _differences(axes: Axes, probability: Array, story: Story) -> None:
+    """The final map with the cells that one program or another draws otherwise."""
+    _map(axes, 0.3 * probability)
+    settings = lesson_settings()
+    bits = story.bits_differ & ~story.seen_to_differ
+    for cells, color, marker, label in (
+        (bits, BLUE, ".", "in the last bits only"),
+        (story.seen_to_differ, ORANGE, "s", "in the picture, too"),
+    ):
+        gy, gx = np.nonzero(cells)
+        axes.plot(
+            settings.origin_x + (gx + 0.5) * settings.resolution,
+            settings.origin_y + (gy + 0.5) * settings.resolution,
+            marker,
+            color=color,
+            markersize=3.2,
+            label=f"{label}: {int(cells.sum())} cells",
+        )
+    for wall in lesson_world():
+        axes.plot([wall.x0, wall.x1], [wall.y0, wall.y1], color=INK, lw=0.5)
+    axes.legend(
+        loc="upper center",
+        bbox_to_anchor=(0.5, 1.12),
+        ncols=2,
+        frameon=False,
+    )

@@ -1,0 +1,2 @@
+grid = MapScenario[LessonScenario[], None];
+ArrayPlot[Reverse[ProbabilityGrid[grid]], ColorFunction -> "GrayTones"]

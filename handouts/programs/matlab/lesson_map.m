@@ -1,0 +1,10 @@
+map = occgrid.mapper.map_scenario(occgrid.lesson.lesson_scenario(), []);
+p = occgrid.grid.probability_grid(map);
+fprintf('%d cells were seen\n', nnz(p ~= 0.5));
+if ~isempty(getenv('DISPLAY')) || ispc || ismac
+    imagesc([-10.95, 10.95], [-8.95, 8.95], 1 - p);
+    axis xy equal tight;
+    colormap(gray);
+    xlabel('x [m]');
+    ylabel('y [m]');
+end

@@ -1,0 +1,110 @@
+"""The pages in a browser: nothing leaves the page at the width of a phone or a desk, and tabs are remembered."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from built_handouts import Handouts, needs
+
+OPTIONS = (
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--allow-file-access-from-files",
+    "--virtual-time-budget=20000",
+)
+
+# What reaches over the right edge, unless it lies in a box that scrolls.
+MEASURE = """
+<script>
+addEventListener("load", function () {
+  var width = document.documentElement.clientWidth, over = [];
+  document.querySelectorAll("body *").forEach(function (e) {
+    if (e.closest("math, svg") || e.getBoundingClientRect().right <= width + 1) { return; }
+    for (var p = e.parentElement; p; p = p.parentElement) {
+      if (getComputedStyle(p).overflowX === "auto") { return; }
+    }
+    over.push(e.tagName + " " + e.className + ": " + e.textContent.slice(0, 40));
+  });
+  parent.postMessage(width + " px; over the edge: " + over.join(" | "), "*");
+});
+</script>
+"""
+FRAME = """<!DOCTYPE html><title>waiting</title>
+<script>onmessage = function (e) {{ document.title = e.data; }};</script>
+<iframe src="page.html" style="width: {width}px; height: 900px; border: 0"></iframe>
+"""
+REMEMBER = """
+<script>
+var chosen = document.querySelector("[role=tab][aria-selected=true]").dataset.language;
+if (!location.search) {
+  document.querySelector("[role=tab][data-language=cpp]").click();
+  location.search = "?again";
+} else { document.title = "remembered: " + chosen; }
+</script>
+"""
+
+
+def title_in_browser(folder: Path, name: str) -> str:
+    """The title of a page after its scripts have run."""
+    browser = needs("chromium", "chromium")
+    done = subprocess.run(
+        [
+            browser,
+            *OPTIONS,
+            f"--user-data-dir={folder / 'profile'}",
+            "--dump-dom",
+            "--window-size=1400,1000",
+            (folder / name).as_uri(),
+        ],
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+    found = re.search(r"<title>([^<]*)</title>", done.stdout)
+    assert found, done.stderr
+    return found[1]
+
+
+def with_script(handouts: Handouts, name: str, script: str) -> str:
+    page = (handouts.folder / name).read_text(encoding="utf-8")
+    return page.replace("</body>", script + "</body>")
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_nothing_leaves_the_page(
+    handouts: Handouts, tmp_path: Path, width: int
+) -> None:
+    name = "instructor/python.html"
+    (tmp_path / "page.html").write_text(with_script(handouts, name, MEASURE))
+    (tmp_path / "frame.html").write_text(FRAME.format(width=width))
+    said = title_in_browser(tmp_path, "frame.html")
+    assert re.fullmatch(r"(\d+) px; over the edge: ", said), said
+    assert width - 20 <= int(said.split()[0]) <= width
+
+
+def test_element_over_the_edge_is_noticed(
+    handouts: Handouts, tmp_path: Path
+) -> None:
+    wide = '<p style="width: 50rem">wide</p>' + MEASURE
+    page = with_script(handouts, "index.html", wide)
+    (tmp_path / "page.html").write_text(page)
+    (tmp_path / "frame.html").write_text(FRAME.format(width=390))
+    assert "P : wide" in title_in_browser(tmp_path, "frame.html")
+
+
+def test_language_of_the_tabs_is_remembered(
+    handouts: Handouts, tmp_path: Path
+) -> None:
+    page = with_script(handouts, "python.html", REMEMBER)
+    (tmp_path / "page.html").write_text(page)
+    assert title_in_browser(tmp_path, "page.html") == "remembered: cpp"

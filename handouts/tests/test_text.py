@@ -1,0 +1,122 @@
+"""The text: what the compiler must refuse, and how equations are prepared."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+import typst
+
+from occgrid_handouts.project import ROOT
+from occgrid_handouts.snippets import NAMES
+from occgrid_handouts.typesetting import (
+    TEXT,
+    Kind,
+    TypesettingError,
+    typeset,
+    with_spoken_math,
+)
+
+LIB = '#import "lib.typ": *\n'
+# equations of the text link to these
+TITLE = '#set document(title: "t")\n'
+
+
+def compile_text(folder: Path, text: str, kind: Kind = "html") -> bytes:
+    """A small text with the handouts' own means."""
+    for name in ("lib.typ", "print.tmTheme", "wolfram.sublime-syntax"):
+        (folder / name).write_bytes((TEXT / name).read_bytes())
+    (folder / "matlab.sublime-syntax").write_bytes(
+        (TEXT / "matlab.sublime-syntax").read_bytes()
+    )
+    part = {"file": "grid.py", "first": 3, "last": 4, "code": "x = 1\ny = 2"}
+    facts = {
+        "languages": {"python": {"name": "Python", "syntax": "python"}},
+        "snippets": {"python": dict.fromkeys(NAMES, part)},
+        "programs": {"python": {}},
+    }
+    (folder / "data.json").write_text(json.dumps(facts))
+    (folder / "main.typ").write_text(LIB + TITLE + with_spoken_math(text))
+    return typeset(folder, "main.typ", "python", "student", kind, 0)
+
+
+def test_listing_has_file_and_real_line_numbers(tmp_path: Path) -> None:
+    page = compile_text(tmp_path, '#listing("logit")').decode()
+    assert "grid.py" in page
+    assert 'data-n="3"' in page and 'data-n="4"' in page
+
+
+def test_unknown_snippet_fails(tmp_path: Path) -> None:
+    with pytest.raises(TypesettingError, match="unknown snippet lo-git"):
+        compile_text(tmp_path, '#listing("lo-git")')
+
+
+def test_unknown_equation_fails(tmp_path: Path) -> None:
+    with pytest.raises(TypesettingError, match="unknown equation cel"):
+        compile_text(tmp_path, '#to-equation("cel")')
+
+
+def test_equations_out_of_order_fail(tmp_path: Path) -> None:
+    with pytest.raises(TypesettingError, match="equation odds stands"):
+        compile_text(tmp_path, '#eqn("odds", $ x $)')
+
+
+def test_picture_without_alternative_text_fails(tmp_path: Path) -> None:
+    square = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>'
+    (tmp_path / "a.svg").write_text(square)
+    with pytest.raises(TypesettingError, match="missing alt text"):
+        compile_text(tmp_path, '#image("a.svg")', "pdf")
+    assert compile_text(tmp_path, '#image("a.svg", alt: "a")', "pdf")
+
+
+def test_equation_without_alternative_text_fails(tmp_path: Path) -> None:
+    assert compile_text(tmp_path, "$x$ is spoken", "pdf")
+    (tmp_path / "main.typ").write_text(TITLE + "$x$ is not")
+    with pytest.raises(TypesettingError, match="missing alt text"):
+        typeset(tmp_path, "main.typ", "python", "student", "pdf", 0)
+
+
+def test_inline_equations_are_found() -> None:
+    text = "a $x$, b $ y $ c $z$ d ($w$)."
+    assert with_spoken_math(text) == (
+        'a #spoken-math($x$, ","); b $ y $ c #spoken-math($z$, ""); d '
+        '(#spoken-math($w$, ").");'
+    )
+
+
+@pytest.mark.parametrize(
+    ("equation", "said"),
+    [
+        ("m_i = 1", "m sub i equals 1"),
+        ("(x - o_x) / r", "x minus o sub x over r"),
+        ("O_0^t", "O sub 0 to the t"),
+        ("z_max", "z sub max"),
+    ],
+)
+def test_equations_are_read_aloud(
+    tmp_path: Path, equation: str, said: str
+) -> None:
+    compile_text(tmp_path, "")
+    (tmp_path / "main.typ").write_text(
+        LIB + f"#metadata(spoken(${equation}$.body)) <said>"
+    )
+    compiler = typst.Compiler(
+        str(tmp_path / "main.typ"),
+        sys_inputs={
+            "language": "python",
+            "edition": "student",
+            "format": "pdf",
+        },
+    )
+    found = json.loads(compiler.query("<said>", field="value", one=True))
+    assert found == said
+
+
+def test_no_vocabulary_of_the_workplace() -> None:
+    folder = ROOT / "handouts"
+    for path in sorted(folder.glob("**/*")):
+        if path.is_file() and path.suffix in (".typ", ".py", ".m", ".wl"):
+            text = path.read_text(encoding="utf-8")
+            assert "/" + "work/" not in text, path
+            assert "/" + "tmp/" not in text, path
