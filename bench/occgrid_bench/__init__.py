@@ -1,0 +1,1 @@
+"""The benchmark: ports, baselines and peers at the same work, and how time and memory grow."""
