@@ -11,7 +11,7 @@ from parity.outputs import SUFFIXES
 from parity.ports import Port
 from parity.processes import Finished, run_process
 
-from .conftest import PORTS, ROOT, unavailable
+from .conftest import PORTS, ROOT
 
 GOOD = ROOT / "scenarios" / "asymmetric.log"
 OTHER = ROOT / "scenarios" / "one-beam.log"
@@ -111,55 +111,6 @@ def test_replaces_files_and_names_maps_as_the_contract_says(
         (out / "the last.one.yaml")
         .read_text()
         .startswith("image: the last.one.pgm\n")
-    )
-
-
-@each_port
-def test_a_name_may_be_in_any_letters(
-    need: Callable[[str], Port], tmp_path: Path, name: str
-) -> None:
-    port = need(name)
-    scenario = tmp_path / "Örebro åäö 地図.log"
-    scenario.write_bytes(OTHER.read_bytes())
-    finished = run_process(
-        command_line(port, "--out", "out", scenario),
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
-        environment={"LC_ALL": "C.UTF-8"},
-    )
-    assert (finished.exit_status, finished.stderr.read_text()) == (0, "")
-    out = tmp_path / "out"
-    assert files(out) == sorted(scenario.stem + suffix for suffix in SUFFIXES)
-    yaml = (out / f"{scenario.stem}.yaml").read_text(encoding="utf-8")
-    assert yaml.startswith("image: Örebro åäö 地図.pgm\n")
-
-
-@each_port
-def test_says_that_standard_output_cannot_be_written(
-    need: Callable[[str], Port], tmp_path: Path, name: str
-) -> None:
-    if not Path("/dev/full").exists():
-        unavailable("no /dev/full, the device that is always full")
-    port = need(name)
-    finished = run_process(
-        [
-            "sh",
-            "-c",
-            'exec "$@" > /dev/full',
-            "sh",
-            *command_line(port, OTHER),
-        ],
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
-    )
-    said = finished.stderr.read_text()
-    assert (finished.exit_status, said) == (
-        1,
-        "standard output: cannot be written\n",
     )
 
 
