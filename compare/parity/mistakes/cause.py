@@ -14,7 +14,7 @@ from parity.checking.rounding import beams_of
 from parity.checking.suite import Case
 from parity.checking.verdict import Cause, Likely
 from parity.mistakes.arithmetic import PLATFORM, PORTABLE, Arithmetic
-from parity.mistakes.catalogue import MISTAKES, only_noise
+from parity.mistakes.catalogue import MISTAKES
 from parity.mistakes.mapper import Drawn, Mapper
 from parity.modes import Mode
 
@@ -63,8 +63,8 @@ def find_cause(evidence: Sequence[Evidence]) -> Cause:
     tried = len(MISTAKES)
     for name, numbers in ARITHMETIC.items():
         if all(_draws(Mapper, one, numbers) for one in ordered):
-            return Cause([], titles, tried, name, NO_MISTAKE[name])
-    for name, numbers in ARITHMETIC.items():
+            said = NO_MISTAKE[name]
+            return Cause([], titles, tried, name, said)
         found = _matching(ordered, numbers)
         if found:
             return Cause(found, titles, tried, name, _message(found, ordered))
@@ -95,10 +95,7 @@ def _matching(
 ) -> list[Likely]:
     """The mistakes with which all maps are drawn."""
     found = []
-    noisy = any(one.mode.seed is not None for one in evidence)
     for mistake in MISTAKES.values():
-        if only_noise(mistake) and not noisy:
-            continue  # it draws what the contract draws
         loose = halves and mistake.pixel is Mapper.pixel
         if all(_draws(mistake, one, numbers, loose) for one in evidence):
             found.append(likely(mistake))

@@ -65,13 +65,14 @@ def _cast(
     walls: tuple[Segment, ...],
     x: float,
     y: float,
-    beam: bytes,
+    directions: bytes,
     z_max: float,
     numbers: Arithmetic,
 ) -> Array:
     """Ranges along directions (3.2); kept, since most mistakes see the same ranges."""
-    rdx, rdy = arithmetic.directions(np.frombuffer(beam), numbers)
-    nearest = np.full(rdx.shape, np.inf)
+    beam = np.frombuffer(directions, dtype=np.float64)
+    rdx, rdy = numbers.cos(beam), numbers.sin(beam)
+    nearest = np.full(beam.shape, np.inf)
     for wall in walls:
         sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
         qpx, qpy = wall.x0 - x, wall.y0 - y
@@ -193,8 +194,10 @@ class Mapper:
     def endpoint(
         self, pose: Pose, beam: Array, z: Array
     ) -> tuple[Array, Array]:
-        cos, sin = arithmetic.directions(beam, self.numbers)
-        return pose.x + z * cos, pose.y + z * sin
+        return (
+            pose.x + z * self.numbers.cos(beam),
+            pose.y + z * self.numbers.sin(beam),
+        )
 
     # --- the grid (2.1) ---
 
