@@ -223,11 +223,12 @@ inline double cos(double x) {
   }
 }
 
-/// sin(x) and cos(x) of one x, which is reduced once.
+/// Sine and cosine of one angle.
 struct SinCos {
   double sin, cos;
 };
 
+/// {sin(x), cos(x)}, where x is reduced once for both.
 inline SinCos sin_cos(double x) {
   using namespace detail;
   if (is_reduced(x)) return {kernel_sin(x, 0.0, false), kernel_cos(x, 0.0)};

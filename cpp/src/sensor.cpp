@@ -111,13 +111,15 @@ void update_steps(GridArray& log_odds, const Line& line, Steps steps,
   }
   const std::int64_t slope = rounded_up(2 * line.b, twice_a);
   std::int64_t position = rounded_up(rest, twice_a);
-  std::int64_t cell = line.from.gy * log_odds.cols() + line.from.gx +
-                      steps.first * step_major + minor * step_minor;
-  double* const l = log_odds.data();
-  for (std::int64_t left = steps.last - steps.first + 1; left > 0; --left) {
-    double& value = l[cell + (position >> fraction_bits) * step_minor];
+  const std::int64_t cell = line.from.gy * log_odds.cols() + line.from.gx +
+                            steps.first * step_major + minor * step_minor;
+  // the line's cell without the steps along its shorter axis
+  double* at = log_odds.data() + cell;
+  for (std::int64_t left = steps.last - steps.first;; --left) {
+    double& value = at[(position >> fraction_bits) * step_minor];
     value = update(value);
-    cell += step_major;
+    if (left == 0) return;
+    at += step_major;
     position += slope;
   }
 }

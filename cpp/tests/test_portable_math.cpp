@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "portable_math.hpp"
@@ -63,6 +64,26 @@ TEST(PortableMath, Cos) {
                    {1.7976931348623157e308, 0xbfefffe62ecfab75},
                    {4.9e-324, 0x3ff0000000000000},
                });
+}
+
+TEST(PortableMath, SinCosIsSinAndCos) {
+  std::mt19937_64 random(6);
+  const auto expect_same = [](double x) {
+    const occgrid::SinCos both = occgrid::sin_cos(x);
+    EXPECT_EQ(bits_of(both.sin), bits_of(occgrid::sin(x))) << x;
+    EXPECT_EQ(bits_of(both.cos), bits_of(occgrid::cos(x))) << x;
+  };
+  std::uniform_real_distribution<double> near(-20.0, 20.0);
+  for (int i = 0; i < 100000; ++i) {
+    expect_same(near(random));
+    const double x = occgrid::detail::double_of(random());
+    if (std::isfinite(x)) expect_same(x);
+  }
+  for (const double x : {0.0, -0.0, 4.9e-324, 0.7853981633974483}) {
+    expect_same(x);
+  }
+  EXPECT_TRUE(std::isnan(occgrid::sin_cos(infinity).sin));
+  EXPECT_TRUE(std::isnan(occgrid::sin_cos(nan).cos));
 }
 
 TEST(PortableMath, Exp) {
