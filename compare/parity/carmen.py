@@ -201,10 +201,8 @@ def _fit_axis(
     with localcontext(prec=60, rounding=ROUND_FLOOR):
         first = int(((Decimal(low) - margin) / resolution).to_integral_value())
         last = int(((Decimal(high) + margin) / resolution).to_integral_value())
-        # the mapper divides doubles: at an edge it may see the neighbouring cell
-        while _cell(low, first * resolution, resolution) < 0:
-            first -= 1
         origin = first * resolution
+        # the mapper divides doubles: at an edge it may see the next cell
         last = max(last, first + _cell(high, origin, resolution))
     return origin, last - first + 1
 

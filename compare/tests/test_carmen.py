@@ -139,6 +139,22 @@ def test_every_hit_lies_in_the_grid(
         assert len(text) <= 7
 
 
+def test_a_position_that_the_mapper_rounds_into_the_next_cell(
+    tmp_path: Path,
+) -> None:
+    """(68.8 + 51.5) / 0.1 is a little below 1203, and 1203 as a double."""
+    scans = [
+        FLASER.format(81.91, 81.91, 81.91, x, 0, 0) for x in (-51.5, 68.8)
+    ]
+    log = log_file(tmp_path, *scans)
+    assert convert(log, "--margin", "0")[0] == 0
+    with read_scenario(tmp_path / "scenario.log") as scenario:
+        settings = scenario.settings
+        gx, _ = hit_cells(scenario, settings.new_grid())
+    assert (gx.min(), gx.max()) == (0, 1203)
+    assert settings.width == 1204
+
+
 def test_keeps_the_scans_that_are_chosen(tmp_path: Path) -> None:
     scans = [FLASER.format(1, 1, 1, i, 0, 0) for i in range(10)]
     log = log_file(tmp_path, *scans)
