@@ -11,6 +11,7 @@ Nothing here is a tolerance. Each cell that is not the same must be one of these
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass, field
 from typing import Literal
@@ -108,7 +109,7 @@ class _Search:
         self.given = observed.log_odds is not None
         self.pixels = observed.pixels[::-1].reshape(-1)
         self.beams = beams_of(world, mode.seed, own_poses)
-        self.traced = _Traced(self.beams, world)
+        self.blur = _blur(self.beams.scan.size)
         mapper = Mapper(world, mode.seed)
         self.start, (self.free, self.occupied) = mapper.l0, mapper.steps()
         self.steps: tuple[float, float] | None = None
@@ -121,21 +122,19 @@ class _Search:
         if self.observed.log_odds is not None:
             found = self.observed.log_odds
             same = (bits(found) == bits(self.drawn.log_odds)).reshape(-1)
-        counts = np.zeros_like(expected)
-        if not self.given:
-            counts = self.traced.counts.astype(np.float64)
-        low, high = grey_levels(expected, counts)
+        touched = self.touched()
+        low, high = grey_levels(expected, self.beams.scan.size)
         level = (self.pixels == low) | (self.pixels == high)
         open_cells = ~(same & level)
-        unexplained = open_cells & ~self.traced.touched
+        unexplained = open_cells & ~touched
         edge_beams: list[int] = []
         together = True
-        todo = np.flatnonzero(open_cells & self.traced.touched)
+        todo = np.flatnonzero(open_cells & touched)
         if unexplained.any() or todo.size > MOST_CELLS:
             unexplained |= open_cells
         elif todo.size:
             search = SideSearch(
-                self.traced.ways, self.model(), todo, self.distance(counts)
+                self.traced, self.model(), todo, self.distance()
             )
             together = search.solve()
             if together:
@@ -164,20 +163,36 @@ class _Search:
             together,
         )
 
+    @functools.cached_property
+    def traced(self) -> TracedWays:
+        """The cells of all beams."""
+        s = self.world.settings
+        every = np.arange(self.beams.ways.beam.size)
+        return TracedWays(self.beams, s.width, s.height, every)
+
+    def touched(self) -> Mask:
+        """The cells that an undecided beam can touch, flat."""
+        s = self.world.settings
+        ways = np.flatnonzero(
+            np.isin(self.beams.ways.beam, self.beams.undecided)
+        )
+        touched = np.zeros(s.width * s.height, dtype=bool)
+        touched[TracedWays(self.beams, s.width, s.height, ways).cell] = True
+        return touched
+
     def model(self) -> Model:
         s = self.world.settings
         return Model(self.start, self.free, self.occupied, s.l_min, s.l_max)
 
-    def distance(self, counts: Array) -> Distance:
-        """How far the program's cells are from values; ``counts`` of roundings lie behind them."""
-        pixels = self.pixels.tolist()
+    def distance(self) -> Distance:
+        """How far the program's cells are from values."""
+        pixels, blur = self.pixels.tolist(), self.blur
         found = self.observed.log_odds
         log_odds = None if found is None else found.reshape(-1).tolist()
 
         def off(cell: int, value: float) -> float:
             pixel = pixels[cell]
             grey = _grey_of(value)
-            blur = _blur(float(counts[cell]))
             low, high = math.floor(grey - blur), math.floor(grey + blur)
             fits = pixel in (low, high)
             if log_odds is None:
@@ -195,10 +210,13 @@ class _Search:
         off = np.abs(found - self.drawn.log_odds.reshape(-1))
         if not ((off > 0.0) & (off < LAST_BITS)).any():
             return
-        single = self.traced.counts == 1
-        free = _most_common(found[single & ~self.traced.occupied_once])
-        occupied = _most_common(found[single & self.traced.occupied_once])
-        start = _most_common(found[self.traced.counts == 0])
+        traced = self.traced
+        mine = self.beams.ways.contract[traced.way]
+        counts = np.bincount(traced.cell[mine], minlength=found.size)
+        hit = np.bincount(traced.cell[mine & traced.hit], minlength=found.size)
+        free = _most_common(found[(counts == 1) & (hit == 0)])
+        occupied = _most_common(found[(counts == 1) & (hit == 1)])
+        start = _most_common(found[counts == 0])
         starts = [self.start] if start is None else [start]
         if abs(starts[0] - self.start) > STEP_ULPS * U:
             return
@@ -272,8 +290,8 @@ def _grey_of(log_odds: float) -> float:
     return (1.0 - (1.0 if log_odds >= 0.0 else z) / (1.0 + z)) * 255.0 + 0.5
 
 
-def _blur(updates: float) -> float:
-    """The bound on what rounding does to a grey value after so many updates.
+def _blur(updates: int) -> float:
+    """The bound on what rounding does to a grey value after so many updates; a beam updates a cell once at the most.
 
     Each addition is off by at most 4 u, and a quarter of that reaches p; exp, quotient and product add a few u.
     """
@@ -285,31 +303,8 @@ def _levels(log_odds: Array) -> Cells:
     return np.floor((1.0 - sigmoid(log_odds)) * 255.0 + 0.5).astype(np.int64)
 
 
-def grey_levels(log_odds: Array, updates: Array) -> tuple[Cells, Cells]:
+def grey_levels(log_odds: Array, updates: int) -> tuple[Cells, Cells]:
     """The least and the largest pixel that rounding can make of log-odds with so many updates behind them."""
-    grey = _grey(log_odds)
-    blur = 255.0 * (16.0 + 2.0 * updates) * U
+    grey, blur = _grey(log_odds), _blur(updates)
     low = np.floor(grey - blur).astype(np.int64)
     return low, np.floor(grey + blur).astype(np.int64)
-
-
-class _Traced:
-    """The cells of all ways of all beams, as far as they are needed.
-
-    ``touched`` marks the cells that an undecided beam can touch, ``counts`` how often the contract updates each,
-    ``occupied_once`` those whose only update is occupied; flat, smallest y first.
-    """
-
-    def __init__(self, beams: Beams, world: World) -> None:
-        self.beams = beams
-        width, height = world.settings.width, world.settings.height
-        self.size = width * height
-        self.ways = ways = TracedWays(beams, width, height)
-        is_undecided = np.zeros(beams.scan.size, dtype=bool)
-        is_undecided[beams.undecided] = True
-        self.touched = np.zeros(self.size, dtype=bool)
-        self.touched[ways.cell[is_undecided[beams.ways.beam[ways.way]]]] = True
-        mine = beams.ways.contract[ways.way]
-        self.counts = np.bincount(ways.cell[mine], minlength=self.size)
-        occupied = np.bincount(ways.cell[mine & ways.hit], minlength=self.size)
-        self.occupied_once = occupied == 1

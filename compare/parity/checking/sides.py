@@ -41,14 +41,15 @@ class Model(NamedTuple):
 
 
 class TracedWays:
-    """The cells of all ways of all beams, in the grid; ``cell`` is flat, smallest y first."""
+    """The cells of ways of beams, in the grid; ``cell`` is flat, smallest y first."""
 
-    def __init__(self, beams: Beams, width: int, height: int) -> None:
+    def __init__(
+        self, beams: Beams, width: int, height: int, ways: Cells
+    ) -> None:
         self.beams = beams
         self.width, self.height = width, height
         parts = [
-            self._trace(part)
-            for part in _parts(np.flatnonzero(beams.ways.used))
+            self._trace(part) for part in _parts(ways[beams.ways.used[ways]])
         ]
         self.way, self.cell, self.hit = (
             np.concatenate(column) for column in zip(*parts, strict=True)

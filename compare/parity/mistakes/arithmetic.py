@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,6 +27,20 @@ class Arithmetic:
     cos: Function
     exp: Function
     log: Function
+
+
+@functools.lru_cache(4096)
+def _directions(beam: bytes, numbers: Arithmetic) -> tuple[Array, Array]:
+    angles = np.frombuffer(beam, dtype=np.float64)
+    found = numbers.cos(angles), numbers.sin(angles)
+    for values in found:
+        values.setflags(write=False)
+    return found
+
+
+def directions(beam: Array, numbers: Arithmetic) -> tuple[Array, Array]:
+    """Cosines and sines of directions (n,); kept, since most mistakes have the same beams."""
+    return _directions(beam.tobytes(), numbers)
 
 
 def _each(function: Callable[[float], float]) -> Function:

@@ -23,6 +23,15 @@ MISTAKES: dict[str, type[Mapper]] = {
 }
 
 
+NOISE_STEPS = ("deviate", "noisy", "clip_range")
+
+
+def only_noise(mistake: type[Mapper]) -> bool:
+    """Whether the mistake changes nothing but steps that are not taken without a seed."""
+    changed = {k for k, v in vars(mistake).items() if callable(v)}
+    return bool(changed) and changed <= set(NOISE_STEPS)
+
+
 def read_world(path: str) -> World:
     """The whole scenario in memory. Raises occgrid.scenario.ScenarioError where it breaks a rule."""
     with read_scenario(path) as scenario:

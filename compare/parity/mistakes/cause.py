@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from parity.checking.closeness import Closeness, differing, grey_levels
 from parity.checking.reading import Observed
 from parity.checking.reference import world_of
@@ -14,7 +12,7 @@ from parity.checking.rounding import beams_of
 from parity.checking.suite import Case
 from parity.checking.verdict import Cause, Likely
 from parity.mistakes.arithmetic import PLATFORM, PORTABLE, Arithmetic
-from parity.mistakes.catalogue import MISTAKES
+from parity.mistakes.catalogue import MISTAKES, only_noise
 from parity.mistakes.mapper import Drawn, Mapper
 from parity.modes import Mode
 
@@ -28,7 +26,7 @@ LEFT_OUT = (
     "Maps in which rounding decides a beam are left out, and grey values halfway between two levels may be on either "
     "side."
 )
-ROUNDINGS = 1000.0  # additions that a cell's log-odds may have behind them
+ROUNDINGS = 1000  # additions that a cell's log-odds may have behind them
 
 
 @dataclass(frozen=True)
@@ -63,8 +61,8 @@ def find_cause(evidence: Sequence[Evidence]) -> Cause:
     tried = len(MISTAKES)
     for name, numbers in ARITHMETIC.items():
         if all(_draws(Mapper, one, numbers) for one in ordered):
-            said = NO_MISTAKE[name]
-            return Cause([], titles, tried, name, said)
+            return Cause([], titles, tried, name, NO_MISTAKE[name])
+    for name, numbers in ARITHMETIC.items():
         found = _matching(ordered, numbers)
         if found:
             return Cause(found, titles, tried, name, _message(found, ordered))
@@ -95,7 +93,10 @@ def _matching(
 ) -> list[Likely]:
     """The mistakes with which all maps are drawn."""
     found = []
+    noisy = any(one.mode.seed is not None for one in evidence)
     for mistake in MISTAKES.values():
+        if only_noise(mistake) and not noisy:
+            continue  # it draws what the contract draws
         loose = halves and mistake.pixel is Mapper.pixel
         if all(_draws(mistake, one, numbers, loose) for one in evidence):
             found.append(likely(mistake))
@@ -127,9 +128,7 @@ def _draws(
 
 def _only_halves(observed: Observed, drawn: Drawn) -> bool:
     """Whether all differences are grey values halfway between two levels, by the mistaken map's own log-odds."""
-    low, high = grey_levels(
-        drawn.log_odds, np.full(drawn.log_odds.shape, ROUNDINGS)
-    )
+    low, high = grey_levels(drawn.log_odds, ROUNDINGS)
     wrong = observed.pixels != drawn.pixels
     # a picture that is turned or flipped is not matched here
     upright = (

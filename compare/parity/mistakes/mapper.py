@@ -65,14 +65,13 @@ def _cast(
     walls: tuple[Segment, ...],
     x: float,
     y: float,
-    directions: bytes,
+    beam: bytes,
     z_max: float,
     numbers: Arithmetic,
 ) -> Array:
     """Ranges along directions (3.2); kept, since most mistakes see the same ranges."""
-    beam = np.frombuffer(directions, dtype=np.float64)
-    rdx, rdy = numbers.cos(beam), numbers.sin(beam)
-    nearest = np.full(beam.shape, np.inf)
+    rdx, rdy = arithmetic.directions(np.frombuffer(beam), numbers)
+    nearest = np.full(rdx.shape, np.inf)
     for wall in walls:
         sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
         qpx, qpy = wall.x0 - x, wall.y0 - y
@@ -194,10 +193,8 @@ class Mapper:
     def endpoint(
         self, pose: Pose, beam: Array, z: Array
     ) -> tuple[Array, Array]:
-        return (
-            pose.x + z * self.numbers.cos(beam),
-            pose.y + z * self.numbers.sin(beam),
-        )
+        cos, sin = arithmetic.directions(beam, self.numbers)
+        return pose.x + z * cos, pose.y + z * sin
 
     # --- the grid (2.1) ---
 

@@ -10,7 +10,7 @@ from parity.checking.closeness import differing
 from parity.checking.reading import Observed
 from parity.checking.reference import reference_map, world_of
 from parity.checking.suite import LESSON, case
-from parity.mistakes.catalogue import MISTAKES
+from parity.mistakes.catalogue import MISTAKES, only_noise
 from parity.mistakes.mapper import Mapper
 from parity.modes import NOISE_FREE, Mode
 
@@ -33,7 +33,6 @@ COLUMNS: tuple[tuple[str, Mode], ...] = (
     ("asymmetric", Mode(0)),
     ("asymmetric", Mode(1)),
 )
-NOISE_STEPS = ("deviate", "noisy", "clip_range")
 
 HEAD = """# Mistakes that the suite knows
 
@@ -65,15 +64,6 @@ def catches(mistake: type[Mapper], name: str, mode: Mode) -> str:
         return "P"
     observed = Observed(drawn.pixels.astype(np.uint16), drawn.log_odds, "")
     return "L" if differing(observed, expected).any() else ""
-
-
-def only_noise(mistake: type[Mapper]) -> bool:
-    """Whether the mistake changes nothing but steps that are not taken without a seed."""
-    changed = {
-        name for name in vars(mistake) if callable(getattr(mistake, name))
-    }
-    steps = {name for name in changed if not name.startswith("__")}
-    return bool(steps) and steps <= set(NOISE_STEPS)
 
 
 def table() -> dict[str, list[str]]:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from parity.checking.check import Options, check
+from parity.checking.explaining import explain_difference
 from parity.checking.reference import reference_map, world_of
 from parity.checking.rounding import beams_of
 from parity.checking.suite import Case, case
@@ -39,9 +40,13 @@ def test_finds_scan_and_beam(
     x, y = float(beams.ex[index]), float(beams.ey[index])
     assert ((beams.ex == x) & (beams.ey == y)).sum() == 1
     wrong = wrong_beam(x, y)
-    verdict = check(MapperRunner(wrong), Options([one], save=tmp_path))
-    difference = verdict.first_difference
-    assert difference is not None
+    runner = MapperRunner(wrong)
+    observed = runner.run(one, NOISE_FREE).observed
+    assert observed is not None
+    difference, runs = explain_difference(
+        runner, one, NOISE_FREE, observed, False, tmp_path
+    )
+    assert difference is not None and difference.runs == runs
     assert (difference.scan, difference.beam) == (scan, beam)
     assert difference.how == "runs"
     assert difference.runs <= 2 * 7 + 1 + 9 + 1
@@ -68,8 +73,9 @@ def test_finds_scan_and_beam(
     )
     minimal = Case("first-difference", saved.read_bytes())
     assert len(world_of(minimal).scans) == 1
-    assert check(MapperRunner(wrong), Options([minimal])).overall == "differs"
-    assert f"scan {scan}, beam {beam}," in verdict_text(verdict)
+    verdict = check(runner, Options([minimal]))
+    assert verdict.overall == "differs"
+    assert "scan 0, beam 0, cell" in verdict_text(verdict)
 
 
 def test_a_difference_that_needs_what_came_before_keeps_it() -> None:
@@ -131,7 +137,7 @@ def test_shortened_scenarios_map_the_same_bits(name: str) -> None:
     one = case(name)
     shortener = Shortener(one)
     scans = len(world_of(one).scans)
-    for scan in {0, scans // 2, scans - 1}:
+    for scan in range(scans) if scans < 15 else (0, scans // 2, scans - 1):
         whole = reference_map(shortener.prefix(scan + 1), NOISE_FREE)
         beams = shortener.beams_in(scan)
         cut = reference_map(

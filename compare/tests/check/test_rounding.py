@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from occgrid.sensor import Scan
 from parity.checking.check import check
 from parity.checking.closeness import compare, grey_levels
 from parity.checking.reading import Observed
@@ -76,6 +77,86 @@ def test_rounding_decides_most_beams_of_the_lesson() -> None:
     assert on_edge.sum() > 17000
     assert np.isin(np.flatnonzero(on_edge), beams.undecided).all()
     assert beams.error.max() < 1e-11
+
+
+def endpoints(name: str, bearings: str) -> tuple[np.ndarray, np.ndarray]:
+    """Where the beams of a scenario end in 80-bit arithmetic, with another formula for the bearings."""
+    real = np.longdouble
+    world = world_of(case(name))
+    s = world.settings
+    columns = []
+    for scan in world.scans:
+        pose, ranges = (
+            (scan.pose, scan.ranges)
+            if isinstance(scan, Scan)
+            else (scan, None)
+        )
+        x, y, theta = (real(value) for value in pose)
+        if isinstance(scan, Scan):
+            angles = scan.angles.astype(real)
+        elif bearings == "linspace":  # in double precision, as NumPy has it
+            angles = np.linspace(-s.fov / 2, s.fov / 2, s.beams).astype(real)
+        else:
+            angles = -real(s.fov) / 2 + real(s.fov) * np.arange(s.beams) / (
+                s.beams - 1
+            )
+        cos, sin = np.cos(theta + angles), np.sin(theta + angles)
+        if ranges is None:
+            found = np.full(angles.shape, real(np.inf))
+            for x0, y0, x1, y1 in world.walls:
+                sx, sy, qx, qy = real(x1) - x0, real(y1) - y0, x0 - x, y0 - y
+                with np.errstate(all="ignore"):
+                    rxs = cos * sy - sin * sx
+                    t, u = (
+                        (qx * sy - qy * sx) / rxs,
+                        (qx * sin - qy * cos) / rxs,
+                    )
+                meets = (
+                    (np.abs(rxs) >= 1e-12)
+                    & (t >= 0)
+                    & (u >= 0)
+                    & (u <= 1)
+                    & (t < found)
+                )
+                found = np.where(meets, t, found)
+            z = np.minimum(found, real(s.max_range))
+        else:
+            z = np.where(
+                ranges < s.max_range - 1e-12, ranges, s.max_range
+            ).astype(real)
+        columns.append((x + z * cos, y + z * sin))
+    return np.concatenate([c[0] for c in columns]), np.concatenate(
+        [c[1] for c in columns]
+    )
+
+
+@pytest.mark.skipif(
+    np.finfo(np.longdouble).nmant < 63, reason="long doubles are doubles here"
+)
+@pytest.mark.parametrize("bearings", ["exact", "linspace"])
+@pytest.mark.parametrize(
+    "name", ["lesson", "asymmetric", "robotlaser1", "flaser"]
+)
+def test_no_endpoint_is_farther_off_than_the_bound_says(
+    name: str, bearings: str
+) -> None:
+    beams = beams_of(world_of(case(name)), None)
+    ex, ey = endpoints(name, bearings)
+    ways = np.bincount(beams.ways.beam)
+    ends = (
+        beams.used
+        & (ways <= 4)
+        & (np.hypot(ex - beams.ex, ey - beams.ey) < 1e-6)
+    )
+    assert ends.sum() >= beams.used.sum() - 2, (
+        "all but those that pass the end of a wall"
+    )
+    off = np.maximum(np.abs(ex - beams.ex), np.abs(ey - beams.ey))[
+        ends
+    ].astype(float)
+    assert (off <= beams.error[ends]).all()
+    # and the bound is no excuse: it is not much farther than what is seen
+    assert off.max() > beams.error[ends].max() / 1000
 
 
 def test_beams_at_the_end_of_a_wall_are_all_that_is_open_on_the_twin() -> None:
@@ -222,7 +303,7 @@ def test_another_logarithm_is_told_by_its_steps(name: str) -> None:
 
 def test_grey_values_halfway_between_two_levels() -> None:
     def levels(*odds: float) -> list[tuple[int, int]]:
-        low, high = grey_levels(np.log(np.array(odds)), np.zeros(len(odds)))
+        low, high = grey_levels(np.log(np.array(odds)), 0)
         return list(zip(low.tolist(), high.tolist(), strict=True))
 
     # 178.5, 52.5 and 25.5; 127.5; 63.75 and 255 * 0.3001
