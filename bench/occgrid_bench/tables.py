@@ -47,7 +47,7 @@ def _row(series: Series, reference: Series | None) -> list[str]:
     if not series.seconds:
         return [title, f"not measured: {series.skipped}"]
     if series.every > 1:
-        title += f" (each {series.every}th scan, scaled)"
+        title += f" (1 scan in {series.every}, scaled)"
     over = times(ratio(series.seconds, reference.seconds)) if reference else ""
     peak = series.extra.get("peak_mib")
     return [
