@@ -11,6 +11,7 @@ from rich.text import Text
 from parity.record import CellValue, Difference, Result, RunRecord
 
 STYLES = {
+    "reference": "dim",
     "identical": "green",
     "differs": "bold red",
     "error": "bold red",
@@ -37,19 +38,19 @@ def matrix_table(record: RunRecord) -> Table:
         for mode in record.modes:
             cells = []
             for port in record.ports:
-                cells.append(
-                    _status(record.result(port.name, scenario.name, mode))
-                )
+                result = record.result(port.name, scenario.name, mode)
+                shown = shown_status(result)
+                cells.append(Text(shown, style=STYLES[shown]))
             first = scenario.name if mode == record.modes[0] else ""
             table.add_row(first, mode, *cells)
     return table
 
 
-def _status(result: Result) -> Text:
+def shown_status(result: Result) -> str:
     """The status; of the reference, ``reference`` where nothing was there to compare."""
     if result.status == "identical" and not result.compared_with:
-        return Text("reference", style="dim")
-    return Text(result.status, style=STYLES[result.status])
+        return "reference"
+    return result.status
 
 
 def footnotes(record: RunRecord) -> list[str]:
@@ -72,7 +73,7 @@ def footnotes(record: RunRecord) -> list[str]:
 
 def summary(record: RunRecord) -> str:
     """How many maps there are of each status, in one line."""
-    counts = Counter(_status(result).plain for result in record.results)
+    counts = Counter(map(shown_status, record.results))
     said = ", ".join(f"{n} {status}" for status, n in counts.most_common())
     return f"{len(record.results)} maps: {said} ({record.seconds:.1f} s)"
 

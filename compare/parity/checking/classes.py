@@ -6,11 +6,11 @@ import csv
 import io
 import tempfile
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from parity.checking.check import Options, broken, check
+from parity.checking.check import Judged, Options, broken, check
 from parity.checking.programs import Program, program_from_port
 from parity.checking.runner import CommandRunner
 from parity.checking.sandbox import Limits
@@ -63,23 +63,33 @@ def check_class(
     cases: Sequence[Case] = (),
     modes: Sequence[Mode] = (),
     timeout: float | None = None,
+    on_checked: Callable[[str, Verdict, list[Judged]], None] | None = None,
 ) -> list[Submission]:
-    """Checks every folder in ``folder``; writes one record and text each, and the summary, into ``out``."""
+    """Checks every folder in ``folder``; writes one record and text each, and the summary, into ``out``.
+
+    ``on_checked`` is told of each submission and its maps, from several threads.
+    """
     places = sorted(
         p
         for p in folder.iterdir()
-        if p.is_dir() and not p.name.startswith(".")
+        if p.is_dir()
+        and not p.name.startswith(".")
+        and p.resolve() != out.resolve()
     )
     progress.total(len(places))
     out.mkdir(parents=True, exist_ok=True)
 
     def one(place: Path, stop: threading.Event) -> Submission:
         save = out / place.name
-        options = Options(cases, modes, save=save)
+        maps: list[Judged] = []
+        keep = None if on_checked is None else maps.append
+        options = Options(cases, modes, save=save, on_map=keep)
         verdict = check_submission(place, limits, options, timeout, stop)
         save.mkdir(parents=True, exist_ok=True)
         write_text(save / "verdict.json", to_json(verdict))
         write_text(save / "verdict.txt", verdict_text(verdict))
+        if on_checked is not None:
+            on_checked(place.name, verdict, maps)
         progress.step(f"{place.name}: {verdict.summary}")
         return Submission(place.name, verdict)
 

@@ -21,11 +21,12 @@ from parity.checking.reference import world_of
 from parity.checking.sandbox import MEBI, Limits
 from parity.checking.suite import LESSON, Case, case, case_from, golden_problem
 from parity.checking.text import verdict_text
-from parity.checking.verdict import to_json
+from parity.checking.verdict import Verdict, to_json
 from parity.modes import NOISE_FREE, Mode, parse_mode
 from parity.progress import ConsoleProgress
 from parity.record import write_text
 from parity.report.check_page import write_check_page
+from parity.report.class_page import write_class_page
 from parity.report.gradescope import gradescope_json
 from parity.report.junit import verdict_junit_xml
 
@@ -80,7 +81,7 @@ Report = Annotated[
     Path | None,
     typer.Option(
         metavar="DIR",
-        help="Write a page that shows every map that was compared.",
+        help="Write a page that shows every map that was compared; with --class, one each and their table.",
     ),
 ]
 JUnit = Annotated[
@@ -169,9 +170,9 @@ def check_command(
         modes = [parse_mode(word) for word in mode or []]
         if modes and not cases:
             raise ValueError("--mode goes with --scenario")
-        if class_folder is not None and (report or junit or gradescope):
+        if class_folder is not None and (junit or gradescope or json_file):
             raise ValueError(
-                "--report, --junit and --gradescope are for one program"
+                "--json, --junit and --gradescope are for one program"
             )
         if class_folder is not None and not class_folder.is_dir():
             raise ValueError(f"{class_folder} is no folder")
@@ -187,7 +188,15 @@ def check_command(
         raise typer.Exit(1)
     if class_folder is not None:
         _check_class(
-            console, class_folder, out, limits, jobs, cases, modes, timeout
+            console,
+            class_folder,
+            out,
+            report,
+            limits,
+            jobs,
+            cases,
+            modes,
+            timeout,
         )
     assert program is not None
     own = Limits(
@@ -216,6 +225,7 @@ def _check_class(
     console: Console,
     folder: Path,
     out: Path,
+    report: Path | None,
     limits: Limits,
     jobs: int,
     cases: list[Case],
@@ -223,15 +233,33 @@ def _check_class(
     timeout: float | None,
 ) -> None:
     """Checks a class and ends the command."""
+
+    def write_page(name: str, verdict: Verdict, maps: list[Judged]) -> None:
+        assert report is not None
+        write_check_page(verdict, maps, report / name)
+
     with ConsoleProgress(console) as progress:
         found = check_class(
-            folder, out, limits, jobs, progress, cases, modes, timeout
+            folder,
+            out,
+            limits,
+            jobs,
+            progress,
+            cases,
+            modes,
+            timeout,
+            None if report is None else write_page,
         )
     good = sum(one.verdict.exit_status == 0 for one in found)
     _print(
         console,
         f"{good} of {len(found)} are as they should be; {out / SUMMARY}",
     )
+    if report is not None:
+        page = write_class_page(
+            [(one.name, one.verdict) for one in found], report
+        )
+        _print(console, f"report: {page}")
     raise typer.Exit(0 if found and good == len(found) else 1)
 
 

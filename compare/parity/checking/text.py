@@ -5,9 +5,11 @@ from __future__ import annotations
 import textwrap
 
 from parity.checking.verdict import Cause, FirstDifference, Level, Verdict
+from parity.checking.wording import plural
 from parity.record import CellValue
 
 WIDTH = 100
+HALVES = "but for grey values halfway between two levels, where the last bit of exp or log decides"
 MARKS = {
     "identical": "identical",
     "halves": "identical*",
@@ -19,6 +21,22 @@ MARKS = {
 }
 
 
+def verdict_status(verdict: Verdict) -> str:
+    """The verdict as the status of a level: where all is grey values halfway between two levels, halves."""
+    statuses = {level.status for level in verdict.levels}
+    if verdict.overall == "edges" and "edges" not in statuses:
+        return "halves"
+    return verdict.overall
+
+
+def verdict_word(verdict: Verdict) -> str:
+    """The verdict in a word or two."""
+    if verdict.failed_level is not None:
+        return verdict.failed_level.word
+    status = verdict_status(verdict)
+    return MARKS.get(status, status)
+
+
 def verdict_text(verdict: Verdict) -> str:
     """The whole verdict."""
     lines = [f"{verdict.program}: {verdict.summary}", ""]
@@ -26,9 +44,7 @@ def verdict_text(verdict: Verdict) -> str:
     for level in verdict.levels:
         lines += _level(level, title_width)
     if any(level.status == "halves" for level in verdict.levels):
-        lines.append(
-            "* but for grey values halfway between two levels, where the last bit of exp or log decides"
-        )
+        lines.append(f"* {HALVES}")
     if verdict.cause is not None:
         lines += ["", "Likely cause", *_cause(verdict.cause)]
     if verdict.first_difference is not None:
@@ -40,7 +56,7 @@ def verdict_text(verdict: Verdict) -> str:
     lines += ["", f"compared: {verdict.compared}"]
     lines += [f"not checked: {said}" for said in verdict.not_checked]
     lines += [f"note: {note}" for note in verdict.notes]
-    lines.append(f"{verdict.runs} runs, {verdict.seconds:.1f} s")
+    lines.append(f"{plural(verdict.runs, 'run')}, {verdict.seconds:.1f} s")
     return "\n".join(lines) + "\n"
 
 
@@ -65,18 +81,35 @@ def _cause(cause: Cause) -> list[str]:
 
 
 def _difference(d: FirstDifference) -> list[str]:
-    scan = "scan ?" if d.scan is None else f"scan {d.scan}"
-    beam = "beam ?" if d.beam is None else f"beam {d.beam}"
-    how = (
-        f"found in {d.runs} runs"
-        if d.how == "runs"
-        else "told by the finished map"
-    )
+    head = f"{d.scenario}, {d.mode}: {place_text(d)} ({how_text(d)})"
     lines = [
-        f"  {d.scenario}, {d.mode}: {scan}, {beam}, cell gx={d.gx} gy={d.gy} ({how})",
+        f"  {head}",
         f"    expected  {value_text(d.expected)}",
         f"    found     {value_text(d.found)}",
+        *(f"    {line}" for line in beam_lines(d)),
     ]
+    if d.command:
+        lines += ["  to see it again:", f"    {d.command}"]
+    return lines
+
+
+def place_text(d: FirstDifference) -> str:
+    """``scan 2, beam 4, cell gx=15 gy=12``."""
+    scan = "scan ?" if d.scan is None else f"scan {d.scan}"
+    beam = "beam ?" if d.beam is None else f"beam {d.beam}"
+    return f"{scan}, {beam}, cell gx={d.gx} gy={d.gy}"
+
+
+def how_text(d: FirstDifference) -> str:
+    """How the place was found."""
+    if d.how == "runs":
+        return f"found in {plural(d.runs, 'run')}"
+    return "told by the finished map"
+
+
+def beam_lines(d: FirstDifference) -> list[str]:
+    """The beam: where it ends, the cells around the difference, and what could not be told."""
+    lines = []
     if d.candidates:
         named = ", ".join(map(str, d.candidates[:20]))
         more = (
@@ -85,26 +118,24 @@ def _difference(d: FirstDifference) -> list[str]:
             else ""
         )
         lines.append(
-            f"    beams of that scan that touch wrong cells: {named}{more}"
+            f"beams of that scan that touch wrong cells: {named}{more}"
         )
     if d.endpoint is not None:
         e = d.endpoint
         kind = "hit" if e.hit else "no return"
         lines += [
-            f"    the beam's endpoint ({kind}, range {e.range} m)",
-            f"      x = {e.x} m  {e.x_hex}",
-            f"      y = {e.y} m  {e.y_hex}",
-            f"      {e.edge_distance:.3g} m from the nearest cell edge; rounding can move it by {e.rounding:.1g} m",
+            f"the beam's endpoint ({kind}, range {e.range} m)",
+            f"  x = {e.x} m  {e.x_hex}",
+            f"  y = {e.y} m  {e.y_hex}",
+            f"  {e.edge_distance:.3g} m from the nearest cell edge; rounding can move it by {e.rounding:.1g} m",
         ]
-    lines += [f"    {line}" for line in d.patch]
+    lines += d.patch
     if d.patch:
         lines.append(
-            "    o free, # occupied, R the robot's cell, [ ] wrong; gy on the left, gx below"
+            "o free, # occupied, R the robot's cell, [ ] wrong; gy on the left, gx below"
         )
     for said in d.undetermined:
-        lines += _wrap(f"not told: {said}", "    ")
-    if d.command:
-        lines += ["  to see it again:", f"    {d.command}"]
+        lines += _wrap(f"not told: {said}", "")
     return lines
 
 

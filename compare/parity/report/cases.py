@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +15,9 @@ from occgrid.scenario import ScenarioError, read_scenario
 from parity.errors import OutputError
 from parity.modes import Mode, parse_mode
 from parity.outputs import read_map
-from parity.record import Result, RunRecord, ScenarioRecord
+from parity.record import Result, RunRecord, ScenarioRecord, Status
 from parity.report.frames import Frames, lesson_or_file, record_frames
-from parity.table import explain
+from parity.table import explain, shown_status
 
 
 @dataclass(frozen=True)
@@ -31,16 +32,23 @@ class DrawnMap:
     log_odds: NDArray[np.float64] | None
 
 
+Tone = Literal["good", "near", "bad", "off"]
+TONES: dict[Status, Tone] = {"identical": "good", "skipped": "off"}
+
+
 @dataclass(frozen=True)
 class PortMap:
     """One port in one case: its result, in words, and the map that it drew.
 
     ``map`` is an index into the case's maps, None where the port drew none.
+    ``shown`` stands in the table, on a ground of the colour that ``tone`` means.
     """
 
     result: Result
     words: list[str]
     map: int | None
+    shown: str
+    tone: Tone
 
 
 @dataclass(frozen=True)
@@ -62,9 +70,7 @@ class Case:
     @property
     def failed(self) -> bool:
         """Whether any port did anything but draw the expected map."""
-        return any(
-            p.result.status not in ("identical", "skipped") for p in self.ports
-        )
+        return any(port.tone == "bad" for port in self.ports)
 
 
 def cases_of(record: RunRecord, folder: Path) -> Iterator[Case]:
@@ -90,7 +96,13 @@ def _case(
     for result in sorted(results, key=lambda r: r.port != record.reference):
         found = _read(folder, result, scenario.map)
         index = None if found is None else place(maps, found)
-        ports[result.port] = PortMap(result, explain(result), index)
+        ports[result.port] = PortMap(
+            result,
+            explain(result),
+            index,
+            shown_status(result),
+            TONES.get(result.status, "bad"),
+        )
     about, spec, frames = _scenario(scenario, mode)
     return Case(
         scenario=scenario.name,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import platform
 from datetime import UTC, datetime
 from pathlib import Path
@@ -11,8 +12,17 @@ import numpy as np
 from occgrid.scenario import Scenario
 from parity.checking.check import Judged
 from parity.checking.reference import reference_map, world_of
-from parity.checking.text import verdict_text
+from parity.checking.text import (
+    HALVES,
+    MARKS,
+    beam_lines,
+    how_text,
+    place_text,
+    verdict_status,
+    verdict_word,
+)
 from parity.checking.verdict import Verdict
+from parity.checking.wording import plural
 from parity.record import (
     SCHEMA,
     PortRecord,
@@ -22,11 +32,19 @@ from parity.record import (
     Status,
     write_text,
 )
-from parity.report.cases import Case, DrawnMap, PortMap, place
+from parity.report.cases import Case, DrawnMap, PortMap, Tone, place
 from parity.report.frames import record_frames
 from parity.report.page import PAGE_FILE, render
 
 EXPECTED = "reference"
+TONES: dict[str, Tone] = {
+    "identical": "good",
+    "passed": "good",
+    "halves": "good",
+    "edges": "near",
+    "differs": "bad",
+    "failed": "bad",
+}
 
 
 def write_check_page(
@@ -36,15 +54,47 @@ def write_check_page(
 
     ``judged`` are the maps that the check has compared.
     """
-    target.mkdir(parents=True, exist_ok=True)
-    page = target / PAGE_FILE
+    difference = verdict.first_difference
+    remarks = [f"not checked: {said}" for said in verdict.not_checked]
+    remarks += [f"note: {said}" for said in verdict.notes]
+    if any(level.status == "halves" for level in verdict.levels):
+        remarks.insert(0, f"* {HALVES}")
     text = render(
+        "check.html",
         _record(verdict, judged),
         [_case(verdict, one) for one in judged],
-        verdict_text(verdict),
+        ["reference: what the contract says, drawn by the Python port"],
+        _start(verdict, judged),
+        verdict=verdict,
+        word=verdict_word(verdict),
+        tone=TONES[verdict_status(verdict)],
+        runs=plural(verdict.runs, "run"),
+        place=place_text(difference) if difference else "",
+        how=how_text(difference) if difference else "",
+        beam="\n".join(beam_lines(difference)) if difference else "",
+        levels=[
+            (level, MARKS[level.status], TONES.get(level.status, "off"))
+            for level in verdict.levels
+        ],
+        remarks=remarks,
     )
+    target.mkdir(parents=True, exist_ok=True)
+    page = target / PAGE_FILE
     write_text(page, text)
     return page
+
+
+def _start(verdict: Verdict, judged: list[Judged]) -> str:
+    """What the page shows first: the cell of the first difference, if its map is here."""
+    difference = verdict.first_difference
+    if difference is None:
+        return ""
+    for number, one in enumerate(judged):
+        names = (one.case.name, one.mode.name)
+        if names == (difference.scenario, difference.mode):
+            cell = {"gx": difference.gx, "gy": difference.gy}
+            return json.dumps({"number": number, "port": 1, **cell})
+    return ""
 
 
 def _record(verdict: Verdict, judged: list[Judged]) -> RunRecord:
@@ -105,8 +155,16 @@ def _case(verdict: Verdict, one: Judged) -> Case:
             place(
                 maps, DrawnMap(drawn.pixels.astype(np.uint16), drawn.log_odds)
             ),
+            EXPECTED,
+            "good",
         ),
-        PortMap(found, words, place(maps, own)),
+        PortMap(
+            found,
+            words,
+            place(maps, own),
+            MARKS.get(one.compared.status, one.compared.status),
+            TONES[one.compared.status],
+        ),
     ]
     scenario = Scenario(
         one.case.name, world.settings, list(world.walls), iter(world.scans)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -25,39 +25,65 @@ def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
 
     ``run_folder`` holds the maps of the record. Returns the page's file.
     """
-    target.mkdir(parents=True, exist_ok=True)
     page = target / PAGE_FILE
-    write_text(page, render(record, cases_of(record, run_folder)))
+    text = render(
+        "page.html",
+        record,
+        cases_of(record, run_folder),
+        footnotes(record),
+        summary=summary(record),
+    )
+    target.mkdir(parents=True, exist_ok=True)
+    write_text(page, text)
     write_text(target / "run.json", to_json(record))
     return page
 
 
-def render(record: RunRecord, cases: Iterable[Case], verdict: str = "") -> str:
-    """The page as text; nothing in it is loaded from elsewhere.
-
-    ``verdict`` stands on top, as it is.
-    """
-    environment = Environment(
+def environment() -> Environment:
+    """The templates."""
+    return Environment(
         loader=PackageLoader("parity.report", "assets"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
+
+
+def render(
+    template: str,
+    record: RunRecord,
+    cases: Iterable[Case],
+    footnotes: Sequence[str],
+    start: str = "",
+    **more: object,
+) -> str:
+    """The page as text; nothing in it is loaded from elsewhere.
+
+    ``start`` is JSON: number (of a case), port, gx and gy of what to show first; empty: the first failure. ``more``
+    is what the template wants beside the maps.
+    """
     shown = sorted(enumerate(cases), key=lambda item: not item[1].failed)
-    return environment.get_template("page.html").render(
-        record=record,
-        cases=[(number, case) for number, case in shown],
-        data={number: _json(_case(record, case)) for number, case in shown},
-        verdict=verdict,
-        summary=summary(record),
-        footnotes=footnotes(record),
-        style=Markup(_asset("page.css")),
-        script=Markup(_asset("page.js")),
+    return (
+        environment()
+        .get_template(template)
+        .render(
+            record=record,
+            cases=[(number, case) for number, case in shown],
+            data={
+                number: _json(_case(record, case)) for number, case in shown
+            },
+            footnotes=footnotes,
+            start=start,
+            style=Markup(asset("page.css")),
+            script=Markup(asset("page.js")),
+            **more,
+        )
     )
 
 
-def _asset(name: str) -> str:
+def asset(name: str) -> str:
+    """A file of the page's own."""
     return (resources.files("parity.report") / "assets" / name).read_text(
         encoding="utf-8"
     )
@@ -82,7 +108,6 @@ def _case(record: RunRecord, case: Case) -> dict[str, Any]:
         "ports": [
             {
                 "name": port.result.port,
-                "status": port.result.status,
                 "words": port.words,
                 "map": port.map,
             }

@@ -244,6 +244,15 @@ function zoom(factor, x = canvases[0].width / 2, y = canvases[0].height / 2) {
   draw();
 }
 
+/* Brings a cell into the middle, large enough to see. */
+function lookAt(gx, gy) {
+  const { height } = expectedMap();
+  view = { ...view, scale: Math.max(view.scale, 16 * devicePixelRatio) };
+  view.x = canvases[0].width / 2 - (gx + 0.5) * view.scale;
+  view.y = canvases[0].height / 2 - (height - 1 - gy + 0.5) * view.scale;
+  moveTo(gx, gy);
+}
+
 for (const canvas of canvases) {
   canvas.addEventListener("pointermove", (event) => {
     const at = position(event);
@@ -286,11 +295,7 @@ byId("next-difference").addEventListener("click", () => {
   const list = shown.differing;
   const at = cursor ? list.findIndex((cell) => cell.gx === cursor.gx && cell.gy === cursor.gy) : -1;
   const next = list[(at + 1) % list.length];
-  const { height } = expectedMap();
-  view = { ...view, scale: Math.max(view.scale, 16 * devicePixelRatio) };
-  view.x = canvases[0].width / 2 - (next.gx + 0.5) * view.scale;
-  view.y = canvases[0].height / 2 - (height - 1 - next.gy + 0.5) * view.scale;
-  moveTo(next.gx, next.gy);
+  lookAt(next.gx, next.gy);
 });
 byId("only-failed").addEventListener("change", (event) => {
   byId("matrix").classList.toggle("only-failed", event.target.checked);
@@ -304,6 +309,21 @@ document.querySelectorAll(".status").forEach((button) => {
 });
 window.addEventListener("resize", () => { if (shown && shown.maps.length) wholeMap(); });
 
-/* the first failure is what people come for; without one, the first case */
-const first = document.querySelector("tr.failed .status:not(.identical):not(.skipped)") || document.querySelector(".status");
-if (first) showCase(Number(first.dataset.case), Number(first.dataset.port));
+/* What the page has found first, where it says so: a case, a port and a cell. */
+async function showStart() {
+  const { number, port, gx, gy } = JSON.parse(document.body.dataset.start);
+  await showCase(number, port);
+  lookAt(gx, gy);
+}
+
+/* else the first failure is what people come for; without one, the first case */
+if (document.body.dataset.start) {
+  showStart();
+  byId("show-start").addEventListener("click", async () => {
+    await showStart();
+    byId("case").scrollIntoView({ block: "start" });
+  });
+} else {
+  const first = document.querySelector("tr.failed .status.bad") || document.querySelector(".status");
+  if (first) showCase(Number(first.dataset.case), Number(first.dataset.port));
+}
