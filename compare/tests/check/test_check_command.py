@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import shlex
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -128,26 +126,3 @@ def test_the_python_port_is_identical(tmp_path: Path) -> None:
     )
     assert status == 0
     assert "compared: pixels, and every bit of the log-odds" in text
-
-
-def test_scenarios_are_found_from_an_installed_package(tmp_path: Path) -> None:
-    """The layout of the wheel: both packages side by side, the scenarios in parity/scenarios."""
-    root = scenario_folder().parent
-    if not (root / "compare").is_dir():
-        pytest.skip("this is an installed package")
-    shutil.copytree(root / "compare" / "parity", tmp_path / "site" / "parity")
-    shutil.copytree(root / "python" / "occgrid", tmp_path / "site" / "occgrid")
-    shutil.copytree(
-        root / "scenarios", tmp_path / "site" / "parity" / "scenarios"
-    )
-    code = (
-        "from parity.checking.suite import scenario_folder, case, golden_problem\n"
-        "from parity.modes import NOISE_FREE\n"
-        "import parity.scenarios\n"
-        "print(scenario_folder(), len(case('lesson').data) > 1000, golden_problem('lesson', NOISE_FREE))\n"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code], cwd=tmp_path, text=True, capture_output=True, check=True,
-        env={"PYTHONPATH": str(tmp_path / "site"), "PATH": "/usr/bin:/bin"},
-    )  # fmt: skip
-    assert done.stdout == f"{tmp_path}/site/parity/scenarios True None\n"

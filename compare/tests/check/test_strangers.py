@@ -1,7 +1,11 @@
-"""Programs in languages that are no ports: right ones are never wrong, and planted mistakes are found and named."""
+"""Programs in languages that are no ports, checked from an installed wheel.
+
+Right ones are never wrong; planted mistakes are found, in the right scan and beam, and named.
+"""
 
 from __future__ import annotations
 
+import json
 import shlex
 import shutil
 import sys
@@ -9,12 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from parity.checking.check import Options
-from parity.checking.suite import case, case_from
-from parity.checking.verdict import from_json, to_json
-from parity.modes import Mode
-
 from ..check_helpers import PROGRAMS, check_words, names
+from .conftest import Installed
 
 PERL, AWK = shutil.which("perl"), shutil.which("awk")
 NEEDS_PERL = pytest.mark.skipif(PERL is None, reason="install perl")
@@ -22,16 +22,36 @@ NEEDS_AWK = pytest.mark.skipif(AWK is None, reason="install awk")
 
 
 def perl(bug: str = "none") -> str:
-    return f"perl {PROGRAMS}/lesson.pl --bug {bug} {{mode}} --out {{out}} {{scenario}}"
+    return f"perl {{port}}/programs/lesson.pl --bug {bug} {{mode}} --out {{out}} {{scenario}}"
 
 
 def awk(bug: str = "none") -> str:
-    return f"awk -v bug={bug} -f {PROGRAMS}/lesson.awk {{scenario}}"
+    return f"awk -v bug={bug} -f {{port}}/programs/lesson.awk {{scenario}}"
+
+
+def test_the_wheel_needs_no_repository(installed: Installed) -> None:
+    said = "import parity, occgrid; print(parity.__file__, occgrid.__file__)"
+    ended = installed.run("python", "-I", "-c", said)
+    assert ended.stderr == ""
+    packages = installed.bin.parent / "lib"
+    assert all(Path(p).is_relative_to(packages) for p in ended.stdout.split())
+
+
+def test_the_wheel_has_the_lesson_and_the_ports_command(
+    installed: Installed, tmp_path: Path
+) -> None:
+    ended = installed.run("occgrid", "--noise-free", "--out", str(tmp_path))
+    assert (ended.returncode, ended.stderr) == (0, "")
+    golden = "scenarios/golden/lesson.noise-free.pgm"
+    (expected,) = (installed.bin.parent / "lib").glob(
+        f"python*/site-packages/parity/{golden}"
+    )
+    assert (tmp_path / "lesson.pgm").read_bytes() == expected.read_bytes()
 
 
 @NEEDS_PERL
-def test_a_right_perl_program() -> None:
-    verdict = check_words(perl())
+def test_a_right_perl_program(installed: Installed, tmp_path: Path) -> None:
+    verdict = installed.check(perl(), tmp_path)
     assert (verdict.overall, verdict.exit_status) == ("edges", 0)
     assert verdict.summary.startswith(
         "identical on the well-conditioned scenario; on the lesson it differs only at cell edges"
@@ -41,13 +61,12 @@ def test_a_right_perl_program() -> None:
         "this machine's own sin, cos, exp and log" in note
         for note in verdict.notes
     )
-    assert from_json(to_json(verdict)) == verdict
 
 
 @NEEDS_AWK
-def test_a_right_awk_program() -> None:
+def test_a_right_awk_program(installed: Installed, tmp_path: Path) -> None:
     """It prints its picture, and knows no noise."""
-    verdict = check_words(awk())
+    verdict = installed.check(awk(), tmp_path)
     assert (verdict.overall, verdict.exit_status) == ("edges", 0)
     assert verdict.summary.startswith(
         "identical on the well-conditioned scenario; on the lesson it differs only at cell edges"
@@ -92,9 +111,14 @@ BUGS = [
 
 @pytest.mark.parametrize(("words", "name", "level", "where"), BUGS)
 def test_a_planted_mistake(
-    words: str, name: str, level: str, where: tuple[int, int], tmp_path: Path
+    installed: Installed,
+    words: str,
+    name: str,
+    level: str,
+    where: tuple[int, int],
+    tmp_path: Path,
 ) -> None:
-    verdict = check_words(words, Options(save=tmp_path))
+    verdict = installed.check(words, tmp_path / "first")
     assert (verdict.overall, verdict.exit_status) == ("differs", 1)
     failed = verdict.failed_level
     assert failed is not None and failed.name == level
@@ -103,21 +127,21 @@ def test_a_planted_mistake(
     difference = verdict.first_difference
     assert difference is not None and difference.how == "runs"
     assert (difference.scan, difference.beam) == where
-    # what is saved beside the verdict shows the mistake again
-    again = check_words(
-        words,
-        Options(
-            [case_from(Path(difference.scenario_file or ""))], explain=False
-        ),
-    )
-    assert again.overall == "differs"
+    # the command that is printed shows the mistake again
+    command = shlex.split(difference.command)
+    options = ["--no-explain", "--out", str(tmp_path / "again")]
+    ended = installed.run(*command, *options)
+    assert ended.returncode == 1
+    again = json.loads((tmp_path / "again" / "verdict.json").read_text())
+    assert again["overall"] == "differs"
 
 
 @NEEDS_PERL
-def test_noise_of_another_beam() -> None:
+def test_noise_of_another_beam(installed: Installed, tmp_path: Path) -> None:
     """Only on the quick scenario, with the seeds that the check uses."""
-    verdict = check_words(
-        perl("noise"), Options([case("asymmetric")], [Mode(0), Mode(1)])
+    options = ["--scenario", "asymmetric", "--mode", "seed-0"]
+    verdict = installed.check(
+        perl("noise"), tmp_path, *options, "--mode", "seed-1"
     )
     assert names(verdict) == ["noise-of-next-beam"]
     difference = verdict.first_difference
