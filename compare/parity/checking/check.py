@@ -101,6 +101,7 @@ class _Check:
         self.runs = 0
         self.seconds = 0.0
         self.failed: Judged | None = None
+        self.short: Evidence | None = None
         self.misread = False
 
     # --- running ---
@@ -307,8 +308,8 @@ class _Check:
             overall: Overall = "differs" if drew_a_map else "failed"
             summary = f"{failed.word}: {failed.message}"
             if drew_a_map and self.options.explain:
-                cause = self.cause()
                 difference = self.difference(strict=False)
+                cause = self.cause()
         else:
             overall, summary = self.success()
             rounded = [j for j in self.judged.values() if j.compared.halves]
@@ -398,22 +399,26 @@ class _Check:
                     self.judge(self.case(name), self.runner.plain_mode)
                 except LevelFailed:
                     continue
-        return find_cause(self.evidence())
+        return find_cause(self.evidence(), self.short)
 
     def difference(self, strict: bool) -> FirstDifference | None:
         """Where the map that failed first differs."""
         if self.failed is None:
             return None
-        difference, runs = explain_difference(
+        mode = self.failed.mode
+        explained = explain_difference(
             self.runner,
             self.failed.case,
-            self.failed.mode,
+            mode,
             self.failed.observed,
             strict,
             self.options.save,
         )
-        self.runs += runs
-        return difference
+        self.runs += explained.runs
+        if explained.short is not None:
+            case, observed, compared, _ = explained.short
+            self.short = Evidence(case, mode, observed, compared.status)
+        return explained.difference
 
     def add_missing_levels(self) -> None:
         """The levels that were not reached."""

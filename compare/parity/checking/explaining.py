@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 from parity.checking.closeness import compare
 from parity.checking.reading import Observed
-from parity.checking.reference import reference_map
+from parity.checking.reference import reference_map, world_of
 from parity.checking.runner import Runner
 from parity.checking.suite import Case
 from parity.checking.verdict import FirstDifference
@@ -52,6 +53,14 @@ class _Trials:
         return self.known[case.digest]
 
 
+class Explained(NamedTuple):
+    """The first difference, how many runs it took, and of the maps that show it the one with the fewest scans."""
+
+    difference: FirstDifference | None
+    runs: int = 0
+    short: Trial | None = None
+
+
 def explain_difference(
     runner: Runner,
     case: Case,
@@ -59,13 +68,13 @@ def explain_difference(
     observed: Observed,
     strict: bool,
     save: Path | None,
-) -> tuple[FirstDifference | None, int]:
-    """The first difference, and how many runs it took.
+) -> Explained:
+    """Where the map first differs.
 
     ``strict``: what rounding explains counts as a difference, too. The minimal scenario is written into ``save``.
     """
     if not case.is_file:
-        return report_deduced(case, mode, observed, own_poses=True), 0
+        return Explained(report_deduced(case, mode, observed, own_poses=True))
     trials = _Trials(runner, mode, strict)
     try:
         found = search(
@@ -77,7 +86,7 @@ def explain_difference(
             deduced = replace(
                 deduced, undetermined=[str(failed)], runs=trials.runs
             )
-        return deduced, trials.runs
+        return Explained(deduced, trials.runs)
     report = report_found(case, mode, found, trials.runs)
     if save is not None:
         save.mkdir(parents=True, exist_ok=True)
@@ -85,4 +94,6 @@ def explain_difference(
         file.write_bytes(found.trial.case.data)
         command = f"parity check {runner.option} --scenario {file} --mode {mode.name}"
         report = replace(report, scenario_file=str(file), command=command)
-    return report, trials.runs
+    shown = [found.trial, found.prefix or found.trial]
+    short = min(shown, key=lambda trial: len(world_of(trial.case).scans))
+    return Explained(report, trials.runs, short)

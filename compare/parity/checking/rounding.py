@@ -17,6 +17,7 @@ The bound says which beams may go either way, and nothing else: maps are compare
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass, replace
 
@@ -25,6 +26,7 @@ import numpy.typing as npt
 
 from occgrid import portable_math
 from occgrid.noise import normal_deviate
+from occgrid.scenario import Settings
 from occgrid.sensor import Scan, beam_angles, read_ranges
 from occgrid.world import Pose, Segment
 from parity.mistakes.mapper import World
@@ -98,6 +100,10 @@ def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
     """
     parts = [
         _scan_beams(world, scan, number, seed, own_poses)
+        if isinstance(scan, Scan) or seed is not None
+        else _pose_beams(
+            world.settings, tuple(world.walls), scan, number, own_poses
+        )
         for number, scan in enumerate(world.scans)
     ]
     counts = np.array([part.scan.size for part in parts])
@@ -127,6 +133,30 @@ def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
             contract=np.concatenate([w.contract for w in ways]),
         ),
     )
+
+
+def _pose_beams(
+    settings: Settings,
+    walls: tuple[Segment, ...],
+    pose: Pose,
+    number: int,
+    own_poses: bool,
+) -> Beams:
+    """A simulated scan without noise. Scans of one beam are kept: the search cuts the same scans again and again."""
+    draw = _one_beam if settings.beams == 1 else _one_beam.__wrapped__
+    beams = draw(settings, walls, pose, own_poses)
+    return replace(beams, scan=np.full(beams.scan.size, number))
+
+
+@functools.lru_cache(50_000)  # some 2.5 kB each
+def _one_beam(
+    settings: Settings,
+    walls: tuple[Segment, ...],
+    pose: Pose,
+    own_poses: bool,
+) -> Beams:
+    world = World(settings, walls, [pose])
+    return _scan_beams(world, pose, 0, None, own_poses)
 
 
 def _scan_beams(

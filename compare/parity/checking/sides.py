@@ -79,6 +79,14 @@ def _parts(ways: Cells) -> list[Cells]:
     return [ways[i : i + CHUNK] for i in range(0, ways.size, CHUNK)] or [ways]
 
 
+class Visits(NamedTuple):
+    """The ways that cross one cell, and what they do to it; arrays (n,)."""
+
+    beam: Cells
+    way: Cells
+    kind: Cells
+
+
 class Turn(NamedTuple):
     """Another way for one beam, and how much nearer that brings the map."""
 
@@ -121,6 +129,7 @@ class SideSearch:
         self.kind = np.where(traced.hit, OCCUPIED, FREE)[order]
         self.turned: dict[int, int] = {}
         self.effects: dict[int, dict[int, int]] = {}
+        self.known: dict[int, Visits] = {}
         self.open = {cell: self.off(cell) for cell in wrong.tolist()}
         self.tries = 0
 
@@ -152,12 +161,20 @@ class SideSearch:
                 return False
         return True
 
+    def visits(self, cell: int) -> Visits:
+        """All ways that cross the cell, in the order of the beams."""
+        if cell not in self.known:
+            low, high = np.searchsorted(self.by_cell, [cell, cell + 1])
+            self.known[cell] = Visits(
+                self.beam[low:high], self.way[low:high], self.kind[low:high]
+            )
+        return self.known[cell]
+
     def turns(self, aside: int) -> list[Turn]:
         """Turns that change one of the open cells, the best first."""
         cell = min(self.open)
         found: list[Turn] = []
-        low, high = np.searchsorted(self.by_cell, [cell, cell + 1])
-        for beam in np.unique(self.beam[low:high]).tolist():
+        for beam in np.unique(self.visits(cell).beam).tolist():
             start, end = int(self.first[beam]), int(self.first[beam + 1])
             if end - start == 1 or beam in self.turned:
                 continue
@@ -203,11 +220,11 @@ class SideSearch:
 
     def off(self, cell: int) -> float:
         """How far the cell is from the program's value, with the ways chosen now."""
-        low, high = np.searchsorted(self.by_cell, [cell, cell + 1])
-        mine = self.chosen[self.beam[low:high]] == self.way[low:high]
+        visits = self.visits(cell)
+        mine = self.chosen[visits.beam] == visits.way
         start, free, occupied, least, most = self.model
         value = start
-        for kind in self.kind[low:high][mine].tolist():
+        for kind in visits.kind[mine].tolist():
             value += free if kind == FREE else occupied
             if value > most:
                 value = most

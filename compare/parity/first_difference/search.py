@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from parity.checking.closeness import Compared
 from parity.checking.reading import Observed
@@ -14,8 +15,7 @@ from parity.modes import Mode
 MOST_LINES = 50_000
 
 
-@dataclass(frozen=True)
-class Trial:
+class Trial(NamedTuple):
     """A run on a shortened scenario: the map, how it compares, and whether that counts as different."""
 
     case: Case
@@ -36,8 +36,9 @@ class SearchFailed(Exception):
 class Found:
     """What the search found.
 
-    ``trial`` shows the difference; ``before`` is the trial just before it, where there is one. ``beam`` is None where
-    the beam cannot be told by running, and ``why`` says why. ``single``: the trial is of that one beam alone.
+    ``trial`` shows the difference, and ``prefix`` does with whole scans, as they are in the file. ``before`` is the
+    trial just before, where there is one. ``beam`` is None where the beam cannot be told by running, and ``why`` says
+    why. ``single``: the trial is of that one beam alone.
     """
 
     scan: int
@@ -46,6 +47,7 @@ class Found:
     before: Trial | None
     single: bool = False
     why: str = ""
+    prefix: Trial | None = None
 
 
 def search(case: Case, mode: Mode, whole: Trial, attempt: Try) -> Found:
@@ -55,7 +57,20 @@ def search(case: Case, mode: Mode, whole: Trial, attempt: Try) -> Found:
     make maps the same again, so the number of scans is doubled before it is halved.
     """
     shortener = Shortener(case)
-    scan, trial, before = _first_scan(shortener, whole, attempt)
+    first = _first_scan(shortener, whole, attempt)
+    found = _in_scan(shortener, mode, *first, attempt)
+    return replace(found, prefix=first[1])
+
+
+def _in_scan(
+    shortener: Shortener,
+    mode: Mode,
+    scan: int,
+    trial: Trial,
+    before: Trial | None,
+    attempt: Try,
+) -> Found:
+    """The first beam of the scan after which the maps differ; ``trial`` and ``before`` are those of whole scans."""
     if mode.seed is not None and shortener.is_simulated(scan):
         why = "noise depends on the numbers of scan and beam, so a simulated scan cannot be cut"
         return Found(scan, None, trial, before, why=why)

@@ -48,13 +48,18 @@ class Evidence:
         return beams.undecided.size == 0
 
 
-def find_cause(evidence: Sequence[Evidence]) -> Cause:
+def find_cause(
+    evidence: Sequence[Evidence], short: Evidence | None = None
+) -> Cause:
     """The mistakes that reproduce all the maps.
 
     First every map must be the same in every pixel, and in every bit of the log-odds where the program writes them,
     in the contract's arithmetic or in this machine's. Where no mistake is that, and some map differs by more than
     rounding, grey values halfway between two levels may be on the other side, and maps with beams that rounding decides
     are left out. Nothing else is guessed.
+
+    ``short`` is a map of a shorter scenario that differs, too. It is evidence of little weight, but a mistake that
+    does not draw it is soon ruled out.
     """
     ordered = sorted(evidence, key=lambda one: one.observed.pixels.size)
     titles = [one.title for one in ordered]
@@ -63,13 +68,15 @@ def find_cause(evidence: Sequence[Evidence]) -> Cause:
         if all(_draws(Mapper, one, numbers) for one in ordered):
             return Cause([], titles, tried, name, NO_MISTAKE[name])
     for name, numbers in ARITHMETIC.items():
-        found = _matching(ordered, numbers)
+        found = _matching(ordered, numbers, short)
         if found:
             return Cause(found, titles, tried, name, _message(found, ordered))
     certain = [one for one in ordered if one.is_conditioned()]
+    if short is not None and not short.is_conditioned():
+        short = None
     if any(one.status == "differs" for one in certain):
         for name, numbers in ARITHMETIC.items():
-            found = _matching(certain, numbers, halves=True)
+            found = _matching(certain, numbers, short, halves=True)
             if found:
                 titles = [one.title for one in certain]
                 message = f"{_message(found, certain)} {LEFT_OUT}"
@@ -89,7 +96,10 @@ def _message(found: Sequence[Likely], evidence: Sequence[Evidence]) -> str:
 
 
 def _matching(
-    evidence: Sequence[Evidence], numbers: Arithmetic, halves: bool = False
+    evidence: Sequence[Evidence],
+    numbers: Arithmetic,
+    short: Evidence | None,
+    halves: bool = False,
 ) -> list[Likely]:
     """The mistakes with which all maps are drawn."""
     found = []
@@ -98,7 +108,8 @@ def _matching(
         if only_noise(mistake) and not noisy:
             continue  # it draws what the contract draws
         loose = halves and mistake.pixel is Mapper.pixel
-        if all(_draws(mistake, one, numbers, loose) for one in evidence):
+        maps = evidence if short is None else (short, *evidence)
+        if all(_draws(mistake, one, numbers, loose) for one in maps):
             found.append(likely(mistake))
     return found
 

@@ -43,10 +43,11 @@ def test_finds_scan_and_beam(
     runner = MapperRunner(wrong)
     observed = runner.run(one, NOISE_FREE).observed
     assert observed is not None
-    difference, runs = explain_difference(
+    difference, runs, short = explain_difference(
         runner, one, NOISE_FREE, observed, False, tmp_path
     )
     assert difference is not None and difference.runs == runs
+    assert short is not None and short.differs
     assert (difference.scan, difference.beam) == (scan, beam)
     assert difference.how == "runs"
     assert difference.runs <= 2 * 7 + 1 + 9 + 1
