@@ -10,8 +10,13 @@ from xml.etree import ElementTree
 import pytest
 from typer.testing import CliRunner
 
+from parity.checking.check import check
 from parity.checking.verdict import from_json
 from parity.cli import app
+from parity.mistakes.mapper import Mapper
+from parity.report.gradescope import gradescope_json
+
+from .check_helpers import MapperRunner
 
 PROGRAM = Path(__file__).parent / "check" / "programs" / "lesson.pl"
 
@@ -52,6 +57,23 @@ def test_results_of_an_autograder(written: Path) -> None:
     failed = tests["beams without return"]
     assert failed["score"] == 0 and "cells differ" in failed["output"]
     assert "truncation instead of floor" in results["output"]
+
+
+def test_what_cannot_be_asked_is_worth_nothing() -> None:
+    """A right program with only the lesson built in has full marks, of fewer."""
+    runner = MapperRunner(Mapper, reads_scenarios=False, takes_seeds=False)
+    results = json.loads(gradescope_json(check(runner)))
+    scores = {
+        test["name"]: (test["score"], test["max_score"])
+        for test in results["tests"]
+    }
+    assert {name for name, (_, most) in scores.items() if most} == {
+        "it runs",
+        "its file is a picture of the right size",
+        "orientation (the eight symmetries)",
+        "the lesson",
+    }
+    assert all(score == most for score, most in scores.values())
 
 
 def test_junit_xml(written: Path) -> None:

@@ -310,6 +310,8 @@ class _Check:
             if drew_a_map and self.options.explain:
                 difference = self.difference(strict=False)
                 cause = self.cause()
+                if not (cause.candidates or self.can_be_quiet()):
+                    self.notes[wording.OWN_NOISE] = None
         else:
             overall, summary = self.success()
             rounded = [j for j in self.judged.values() if j.compared.halves]
@@ -419,6 +421,10 @@ class _Check:
             case, observed, compared, _ = explained.short
             self.short = Evidence(case, mode, observed, compared.status)
         return explained.difference
+
+    def can_be_quiet(self) -> bool:
+        """Whether the program can be asked for a map without noise, or for the contract's noise."""
+        return self.runner.reads_scenarios or self.runner.takes_seeds
 
     def add_missing_levels(self) -> None:
         """The levels that were not reached."""

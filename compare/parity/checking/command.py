@@ -150,9 +150,9 @@ def check_command(
     """Check any program against the suite, and explain the first difference.
 
     {scenario} is the scenario file, {out} an empty folder, which is the program's working folder too, {pgm} the
-    picture to write, {mode} --noise-free or --seed N, {seed} the seed alone. A program without {scenario} is checked
-    on the lesson it has built in. Ends with 0 where all that can be checked is identical or differs only at cell
-    edges, with 1 where it differs or fails, with 2 for wrong usage.
+    picture to write, {mode} --noise-free or --seed N, {seed} the seed alone, {port} the folder you are in. A program
+    without {scenario} is checked on the lesson it has built in. Ends with 0 where all that can be checked is identical
+    or differs only at cell edges, with 1 where it differs or fails, with 2 for wrong usage.
     """
     console = Console()
     limits = Limits(

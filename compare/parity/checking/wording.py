@@ -85,3 +85,7 @@ LESSON_ONLY = "everything but the lesson: the command has no {scenario}, so the 
 NO_SEED = "seeded noise: the command has neither {mode} nor {seed}, so the program is taken as noise-free"
 PIXELS_ONLY = "log-odds: the program writes no .logodds file, so only pixels are compared"
 NO_TWIN = "the well-conditioned lesson, which would tell rounding from error once more"
+OWN_NOISE = (
+    "the lesson's programs add noise to every range, from a generator that no other language has; if this program "
+    "does, too, check it with a standard deviation of 0, or with the noise of SPEC.md section 3.3 and {seed}"
+)

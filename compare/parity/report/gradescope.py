@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from parity.checking.levels import ORIENTATION
 from parity.checking.text import verdict_text
 from parity.checking.verdict import Level, Verdict
 
@@ -14,7 +15,7 @@ GOOD = ("identical", "halves", "edges", "passed")
 def gradescope_json(verdict: Verdict, points: float = 1.0) -> str:
     """One test per level, each worth ``points``; the whole verdict as the output.
 
-    A level that was not reached, or not checked, gives no points.
+    A level that was not reached gives no points. One that the command cannot be asked is worth none.
     """
     tests = [_test(level, points) for level in verdict.levels]
     results = {
@@ -31,12 +32,14 @@ def gradescope_json(verdict: Verdict, points: float = 1.0) -> str:
 
 def _test(level: Level, points: float) -> dict[str, Any]:
     good = level.status in GOOD
+    # of a map that is otherwise wrong nobody can tell the orientation: that is no excuse
+    asked = level.status != "not checked" or level.name == ORIENTATION[0]
     said = [level.status, level.word, level.message]
     return {
         "name": level.title,
         "score": points if good else 0.0,
-        "max_score": points,
-        "status": "passed" if good else "failed",
+        "max_score": points if asked else 0.0,
+        **({"status": "passed" if good else "failed"} if asked else {}),
         "output": ": ".join(part for part in said if part),
         "output_format": "text",
     }

@@ -5,15 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from occgrid.world import Pose
 from parity.checking.check import Options, check
 from parity.checking.levels import SEEDS
 from parity.checking.reference import reference_map, world_of
 from parity.checking.suite import case, scenario_folder
-from parity.checking.wording import LESSON_ONLY
+from parity.checking.wording import LESSON_ONLY, OWN_NOISE
 from parity.logodds import bits
 from parity.mistakes.arithmetic import PLATFORM
 from parity.mistakes.catalogue import MISTAKES, only_noise
-from parity.mistakes.mapper import Mapper
+from parity.mistakes.mapper import Array, Mapper
 from parity.mistakes.page import COLUMNS, PAGE, page, table
 from parity.modes import Mode
 from parity.repository import find_root
@@ -159,6 +160,27 @@ def test_a_program_with_only_the_lesson_is_checked_on_it() -> None:
         "octants",
         "twin",
     }
+    assert OWN_NOISE not in verdict.notes, "it has been explained already"
+
+
+def test_noise_of_another_generator_is_thought_of() -> None:
+    """The lesson's own programs draw it; it is named as a possibility, not as the cause."""
+
+    class Noisy(Mapper):
+        name = "noise-of-its-own"
+
+        def simulate(self, pose: Pose, angles: Array) -> Array:
+            seed = int(1000.0 * pose.theta)
+            noise = np.random.default_rng(seed).normal(0.0, 0.02, angles.size)
+            return self.clip_range(super().simulate(pose, angles) + noise)
+
+    runner = MapperRunner(
+        Noisy, log_odds=False, reads_scenarios=False, takes_seeds=False
+    )
+    verdict = check(runner)
+    assert verdict.overall == "differs"
+    assert names(verdict) == []
+    assert OWN_NOISE in verdict.notes
 
 
 def test_a_right_program_with_only_the_lesson_passes() -> None:
