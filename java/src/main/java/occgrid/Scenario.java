@@ -1,12 +1,12 @@
 package occgrid;
 
 import java.io.Closeable;
+import java.io.File;
 import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.Iterator;
@@ -129,8 +129,8 @@ public record Scenario(String name, Settings settings, List<Segment> walls,
      * @return the name
      */
     public static String scenarioName(String file) {
-        Path path = Path.of(file).getFileName();
-        String fileName = path == null ? "" : path.toString();
+        // not a Path: it refuses names that the locale cannot say
+        String fileName = new File(file).getName();
         int dot = fileName.lastIndexOf('.');
         return dot > 0 ? fileName.substring(0, dot) : fileName;
     }
