@@ -58,24 +58,12 @@ run[arguments_] := Module[{options},
 mapOne[scenario_, options_] := Module[{grid},
   grid = MapScenario[scenario, options["seed"]];
   If[options["out"] === None,
-    printText[MapPgm[grid]],
+    If[!printText[MapPgm[grid]], cannotWrite["standard output"]],
     WriteMap[options["out"], scenario["name"], grid]];
   If[options["plot"] =!= None,
     If[Quiet[Check[Export[options["plot"], DrawMap[grid]], $Failed]]
         === $Failed,
       cannotWrite[options["plot"]]]]];
-
-(* Standard output, opened as a file where it has a name: there a write that
-   fails can be noticed, and woxi does not survive it on "stdout". *)
-printText[text_] := Module[{stream},
-  stream = If[FileExistsQ["/dev/stdout"],
-    Quiet[Check[OpenAppend["/dev/stdout"], $Failed]],
-    $Failed];
-  If[stream === $Failed,
-    WriteString["stdout", text],
-    If[Quiet[Check[WriteString[stream, text]; Close[stream]; True, False]]
-        =!= True,
-      cannotWrite["standard output"]]]];
 
 (* --- Options --- *)
 

@@ -116,13 +116,34 @@ makeFolder[folder_] := If[!DirectoryQ[folder],
   Quiet[Check[CreateDirectory[folder], Null]];
   If[!DirectoryQ[folder], cannotWrite[folder]]];
 
-(* whether a text could be written as it is, LF line ends on any system *)
+(* whether a text could be written as it is, in UTF-8 and with LF line ends on
+   any system *)
 writeText[path_, text_] := TrueQ[Quiet[Check[
   Module[{stream = OpenWrite[path, BinaryFormat -> True]},
     WriteString[stream, text];
     Close[stream];
-    FileByteCount[path] == StringLength[text]],
+    FileByteCount[path] == utf8Length[text]],
   False]]];
+
+(* a text's bytes; only what is not ASCII is taken apart, since texts are long *)
+utf8Length[text_] := With[
+  {other = StringDelete[text, RegularExpression["[\\x00-\\x7f]+"]]},
+  (StringLength[text] - StringLength[other])
+    + Length[ToCharacterCode[other, "UTF-8"]]];
+
+(* whether a text could be written to standard output. Nothing tells of a
+   failure there (woxi does not even survive it), and opening /dev/stdout
+   begins at the start of a file that others write to as well. So where there
+   is cat, cat does it, and its exit status tells. *)
+printText[text_] := If[$OperatingSystem === "Windows",
+  WriteString["stdout", text];
+  True,
+  With[{file = CreateFile[]},
+    With[{printed = StringQ[file] && writeText[file, text] && Run[
+        StringJoin["cat '", StringReplace[file, "'" -> "'\\''"],
+          "' 2> /dev/null"]] === 0},
+      Quiet[Check[DeleteFile[file], Null]];
+      printed]]];
 
 (* RenameFile replaces a file only when told to. Interpreters that do not know
    the option either leave the expression as it is and replace files anyway, or

@@ -78,6 +78,16 @@ VerificationTest[
   {{"m.logodds", "m.pgm", "m.yaml"}, True, True, True},
   TestID -> "three files in a new folder, twice"]
 VerificationTest[
+  With[{grid = tiny[], name = FromCharacterCode[{246, 32, 22320}]},
+    WriteMap[folder, name, grid];
+    {Sort[Map[FileNameTake, FileNames[name <> "*", {folder}]]]
+      === Map[name <> # &, {".logodds", ".pgm", ".yaml"}],
+      ToCharacterCode[First[StringSplit[
+        ReadString[FileNameJoin[{folder, name <> ".yaml"}]], "\n"]]]
+      === ToCharacterCode["image: " <> name <> ".pgm"]}],
+  {True, True},
+  TestID -> "a name outside ASCII"]
+VerificationTest[
   With[{grid = tiny[]},
     Catch[WriteMap[FileNameJoin[{folder, "a", "b", "m.pgm", "c"}], "m", grid],
       "output"]],

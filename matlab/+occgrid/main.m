@@ -41,7 +41,7 @@ function map_one(s, options)
     % map one scenario and write what was asked for
     map = occgrid.mapper.map_scenario(s, options.seed);
     if ~ischar(options.out)
-        fprintf('%s', occgrid.map_writer.map_pgm(map));
+        occgrid.map_writer.print_text(occgrid.map_writer.map_pgm(map));
     else
         occgrid.map_writer.write_map(options.out, s.name, map);
     end

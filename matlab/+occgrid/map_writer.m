@@ -6,6 +6,7 @@ classdef map_writer
     %   text = occgrid.map_writer.map_yaml(map, image)
     %   text = occgrid.map_writer.map_log_odds(map)
     %   occgrid.map_writer.write_map(folder, name, map)
+    %   occgrid.map_writer.print_text(text)
     %
     %   SPEC.md section 7.
 
@@ -106,6 +107,30 @@ classdef map_writer
             end
         end
 
+        function print_text(text)
+            % PRINT_TEXT  Write a text to standard output.
+            %
+            %   Raises occgrid:output, with the message standard output:
+            %   cannot be written.
+            if ~exist('OCTAVE_VERSION', 'builtin') || ispc
+                fprintf('%s', text);
+                return
+            end
+            % No function of Octave tells whether a write to its standard
+            % output failed, and opening /dev/stdout begins at the start of a
+            % file that others write to as well. So cat does it, and its exit
+            % status tells.
+            name = 'standard output';
+            file = tempname();
+            removes = onCleanup(@() occgrid.map_writer.remove({file}));
+            occgrid.map_writer.write_text(file, name, text);
+            fflush(stdout);
+            if system(['cat ''', strrep(file, '''', '''\'''''), ...
+                       ''' 2> /dev/null']) ~= 0
+                occgrid.map_writer.fail(name);
+            end
+        end
+
         function rename_file(from, to)
             % RENAME_FILE  Give a whole file its name, in one step.
             %
@@ -175,8 +200,14 @@ classdef map_writer
             if id < 0
                 occgrid.map_writer.fail(path);
             end
-            written = fwrite(id, text, 'uint8');
-            if fclose(id) ~= 0 || written ~= numel(text)
+            bytes = unicode2native(text, 'UTF-8');
+            written = fwrite(id, bytes, 'uint8');
+            closed = fclose(id);
+            % Octave notices a failure when its buffer runs over, but not
+            % when that is emptied at last; so the file is looked at
+            listed = dir(occgrid.scenario.absolute(beside));
+            if closed ~= 0 || written ~= numel(bytes) || ...
+                    ~isscalar(listed) || listed.bytes ~= written
                 occgrid.map_writer.fail(path);
             end
         end
