@@ -50,7 +50,7 @@ flaser-order robotlaser1-seven robotlaser1-few robotlaser1-many
 robotlaser1-remissions-count robotlaser1-remissions-few robotlaser1-2-nan
 robotlaser1-14-inf missing-all missing-before-the-scan cells-most cells-swapped
 range-swapped l-swapped l-default-min prior-default joint-order-2
-joint-before-the-scan missing-before-joint crlf blanks-count no-last-end late
+joint-before-the-scan missing-before-joint crlf blanks-count no-last-end last-end-without-lf late
 """
 DROP_PRIVILEGE = [
     "setpriv",
@@ -501,6 +501,7 @@ case(
 )
 case("tabs", GOOD + "\tPOSE\t\t1 \t2\t\n", 9, "POSE takes 3 values, found 2")
 case("no-last-end", GOOD + "POSE 1 x 2", 9, "y 'x' is not a number")
+case("last-end-without-lf", GOOD + "POSE 1 x 2\r", 9, "y 'x' is not a number")
 case(
     "late",
     GOOD + 50 * "POSE 1 1 1\n" + "POSE 1 1 y\n" + GOOD,

@@ -11,7 +11,7 @@ from parity.outputs import SUFFIXES
 from parity.ports import Port
 from parity.processes import Finished, run_process
 
-from .conftest import PORTS, ROOT
+from .conftest import PORTS, ROOT, unavailable
 
 GOOD = ROOT / "scenarios" / "asymmetric.log"
 OTHER = ROOT / "scenarios" / "one-beam.log"
@@ -111,6 +111,145 @@ def test_replaces_files_and_names_maps_as_the_contract_says(
         (out / "the last.one.yaml")
         .read_text()
         .startswith("image: the last.one.pgm\n")
+    )
+
+
+@each_port
+def test_a_name_may_be_in_any_letters(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    port = need(name)
+    scenario = tmp_path / "Örebro åäö 地図.log"
+    scenario.write_bytes(OTHER.read_bytes())
+    finished = run_process(
+        command_line(port, "--out", "out", scenario),
+        cwd=tmp_path,
+        stdout=tmp_path / "stdout",
+        stderr=tmp_path / "stderr",
+        time_limit=port.timeout,
+        environment={"LC_ALL": "C.UTF-8"},
+    )
+    assert (finished.exit_status, finished.stderr.read_text()) == (0, "")
+    out = tmp_path / "out"
+    assert files(out) == sorted(scenario.stem + suffix for suffix in SUFFIXES)
+    yaml = (out / f"{scenario.stem}.yaml").read_text(encoding="utf-8")
+    assert yaml.startswith("image: Örebro åäö 地図.pgm\n")
+
+
+@each_port
+def test_a_locale_that_cannot_say_a_name_takes_it_or_says_so(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    """Under LC_ALL=C the map has its right name, or the scenario cannot be read (Java)."""
+    port = need(name)
+    scenario = tmp_path / "Örebro åäö 地図.log"
+    scenario.write_bytes(OTHER.read_bytes())
+    out = tmp_path / "out"
+    finished = run_process(
+        command_line(port, "--out", "out", scenario),
+        cwd=tmp_path,
+        stdout=tmp_path / "stdout",
+        stderr=tmp_path / "stderr",
+        time_limit=port.timeout,
+        environment={"LC_ALL": "C"},
+    )
+    said = finished.stderr.read_text(errors="replace")
+    if name == "java":
+        assert finished.exit_status == 1
+        assert said.startswith(f"{tmp_path}/")
+        assert said.endswith(".log:0: cannot be read\n")
+        assert said.count("\n") == 1
+        assert not out.exists()
+    else:
+        assert (finished.exit_status, said) == (0, "")
+        assert files(out) == sorted(scenario.stem + s for s in SUFFIXES)
+        yaml = (out / f"{scenario.stem}.yaml").read_text(encoding="utf-8")
+        assert yaml.startswith("image: Örebro åäö 地図.pgm\n")
+
+
+@pytest.mark.parametrize("redirection", [">", ">>"])
+@each_port
+def test_shares_standard_output_with_others(
+    need: Callable[[str], Port], tmp_path: Path, name: str, redirection: str
+) -> None:
+    """What was written before stays, and what is written after comes after it."""
+    port = need(name)
+    shared = tmp_path / "shared"
+    shared.write_text("of yesterday\n" if redirection == ">>" else "")
+    finished = run_process(
+        [
+            "sh",
+            "-c",
+            'f="$1"; shift; { echo before; "$@"; echo after; } '
+            f'{redirection} "$f"',
+            "sh",
+            str(shared),
+            *command_line(port, OTHER),
+        ],
+        cwd=tmp_path,
+        stdout=tmp_path / "stdout",
+        stderr=tmp_path / "stderr",
+        time_limit=port.timeout,
+    )
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    golden = ROOT / "scenarios" / "golden" / f"{OTHER.stem}.seed-0.pgm"
+    yesterday = b"of yesterday\n" if redirection == ">>" else b""
+    assert shared.read_bytes() == (
+        yesterday + b"before\n" + golden.read_bytes() + b"after\n"
+    )
+
+
+@each_port
+def test_says_that_the_disk_is_full(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    """A file that no byte can be written into, though it can be opened."""
+    port = need(name)
+    finished = run_process(
+        [
+            "sh",
+            "-c",
+            "trap '' XFSZ; ulimit -f 0; exec \"$@\"",
+            "sh",
+            *command_line(port, "--out", "out", OTHER),
+        ],
+        cwd=tmp_path,
+        stdout=tmp_path / "stdout",
+        stderr=tmp_path / "stderr",
+        time_limit=port.timeout,
+    )
+    said = finished.stderr.read_text()
+    assert finished.exit_status == 1
+    assert said in [
+        f"out/{OTHER.stem}{suffix}: cannot be written\n" for suffix in SUFFIXES
+    ]
+    assert files(tmp_path / "out") == []
+
+
+@each_port
+def test_says_that_standard_output_cannot_be_written(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    if not Path("/dev/full").exists():
+        unavailable("no /dev/full, the device that is always full")
+    port = need(name)
+    finished = run_process(
+        [
+            "sh",
+            "-c",
+            'exec "$@" > /dev/full',
+            "sh",
+            *command_line(port, OTHER),
+        ],
+        cwd=tmp_path,
+        stdout=tmp_path / "stdout",
+        stderr=tmp_path / "stderr",
+        time_limit=port.timeout,
+    )
+    said = finished.stderr.read_text()
+    assert (finished.exit_status, said) == (
+        1,
+        "standard output: cannot be written\n",
     )
 
 
