@@ -23,7 +23,10 @@ HANDOUTS = Path(__file__).resolve().parents[1]
 
 # how each port is run, as the text shows it
 COMMANDS = {
-    "python": ("occgrid --noise-free --out out", "occgrid --plot lesson.png"),
+    "python": (
+        ".venv/bin/occgrid --noise-free --out out",
+        ".venv/bin/occgrid --plot lesson.png",
+    ),
     "cpp": (
         "cpp/build/occgrid --noise-free --out out",
         "cpp/build/occgrid --seed 1 > lesson.pgm",
@@ -38,7 +41,7 @@ COMMANDS = {
     ),
     "mathematica": (
         "wolframscript -file mathematica/occgrid.wls --noise-free --out out",
-        "woxi run mathematica/occgrid.wls --seed 1 > lesson.pgm",
+        ".venv/bin/woxi run mathematica/occgrid.wls --seed 1 > lesson.pgm",
     ),
 }
 

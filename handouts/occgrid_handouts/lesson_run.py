@@ -95,6 +95,7 @@ def lesson_facts(run: LessonRun) -> dict[str, object]:
         "bytes": 8 * spec.width * spec.height,
         "scans": len(run.history),
         "beams_per_scan": settings.beams,
+        "noise_cm": f"{100.0 * settings.noise_std:g}",
         "beams": int(beams.hit.size),
         "hits": int(beams.hit.sum()),
         "no_returns": int((~beams.hit).sum()),
