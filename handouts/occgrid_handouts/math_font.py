@@ -47,7 +47,7 @@ def math_characters(pages: Iterable[str]) -> set[str]:
         for equation in _MATH.findall(page):
             found |= set(_TAG.sub("", equation))
     # a root, its bar and braces below are drawn without a character
-    return found | set("()[]{}|√‾¯⏟")
+    return found | set("()[]{}|√‾⏟")
 
 
 def font_face(characters: set[str]) -> str:

@@ -15,6 +15,7 @@ _LATEX = {
     "ϕ": r"\phi",
     "π": r"\pi",
     "τ": r"\tau",
+    "ω": r"\omega",
     "Δ": r"\Delta",
     "ℓ": r"\ell",
     "∈": r"\in",
@@ -38,7 +39,6 @@ _LATEX = {
     "|": r"\mid",
     "∣": r"\mid",
     "∎": r"\blacksquare",
-    "¯": r"\bar",
     "∕": "/",
 }
 _FUNCTIONS = {"log", "exp", "cos", "sin", "min", "max"}
@@ -105,8 +105,6 @@ def _latex(element: Element) -> str:
             return rf"\sqrt{{{_row(parts)}}}"
         case "munder":
             return _under(parts)
-        case "mover":
-            return rf"\bar{{{_latex(parts[0])}}}"
         case "mtable":
             rows = [
                 " & ".join(_latex(cell) for cell in children(row))
@@ -184,11 +182,8 @@ def boxes(element: Element) -> str:
                 "SubscriptBox" if element.tag == "msub" else "UnderscriptBox"
             )
             return f"{name}[{boxes(parts[0])}, {boxes(parts[1])}]"
-        case "msup" | "mover":
-            name = (
-                "SuperscriptBox" if element.tag == "msup" else "OverscriptBox"
-            )
-            return f"{name}[{boxes(parts[0])}, {boxes(parts[1])}]"
+        case "msup":
+            return f"SuperscriptBox[{boxes(parts[0])}, {boxes(parts[1])}]"
         case "msubsup" | "munderover":
             name = (
                 "SubsuperscriptBox"

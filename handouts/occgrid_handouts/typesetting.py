@@ -21,7 +21,7 @@ class TypesettingError(RuntimeError):
     """The compiler refused the text, or warned about it."""
 
 
-_EQUATION = re.compile(r"(\$[^$]*\$)([.,;:)]*)")
+_EQUATION = re.compile(r"(\(?)(\$[^$]*\$)([.,;:)]*)")
 
 
 def with_spoken_math(text: str) -> str:
@@ -32,11 +32,11 @@ def with_spoken_math(text: str) -> str:
 
     def replaced(match: re.Match[str]) -> str:
         # a displayed equation has a space inside its dollar signs
-        equation, after = match.groups()
+        before, equation, after = match.groups()
         if not equation[1:2].strip():
             return match[0]
-        # punctuation goes along, so that no line begins with it
-        return f'#spoken-math({equation}, "{after}");'
+        # punctuation goes along, so that no line begins with it, nor ends with a parenthesis that opens
+        return f'#spoken-math("{before}", {equation}, "{after}");'
 
     return _EQUATION.sub(replaced, text)
 

@@ -80,8 +80,8 @@ def test_equation_without_alternative_text_fails(tmp_path: Path) -> None:
 def test_inline_equations_are_found() -> None:
     text = "a $x$, b $ y $ c $z$ d ($w$)."
     assert with_spoken_math(text) == (
-        'a #spoken-math($x$, ","); b $ y $ c #spoken-math($z$, ""); d '
-        '(#spoken-math($w$, ").");'
+        'a #spoken-math("", $x$, ","); b $ y $ c #spoken-math("", $z$, ""); '
+        'd #spoken-math("(", $w$, ").");'
     )
 
 
