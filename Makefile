@@ -11,6 +11,9 @@ SHELL := /bin/bash
 JOBS ?= 2
 PORTS := python cpp java matlab mathematica
 PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica
+# These need the ports as they are built by then.
+LAST_PARTS := compare handouts
+ALL_PARTS := $(PARTS) $(LAST_PARTS)
 BIN := .venv/bin
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
@@ -39,9 +42,9 @@ all: setup-run  ## Set up, build every port, map every scenario, print the table
 
 .PHONY: test
 test: setup  ## Every test there is; ends with a table of what passed
-	@scripts/part --start $(PARTS) compare
+	@scripts/part --start $(PARTS) $(LAST_PARTS)
 	@$(MAKE) --no-print-directory -k -j$(JOBS) $(SYNC) $(PARTS:%=run-test-%) || true
-	@$(MAKE) --no-print-directory run-test-compare || true
+	@$(MAKE) --no-print-directory -k -j$(JOBS) $(SYNC) $(LAST_PARTS:%=run-test-%) || true
 	@scripts/part --report
 
 .PHONY: setup setup-run
@@ -56,8 +59,8 @@ setup-run:
 $(PORTS): setup-run  ## Build the port
 	$(BIN)/parity build $@
 
-.PHONY: $(PARTS:%=test-%) test-compare
-$(PARTS:%=test-%) test-compare: test-%: setup  ## Its tests; also test-lint and test-compare
+.PHONY: $(ALL_PARTS:%=test-%)
+$(ALL_PARTS:%=test-%): test-%: setup  ## Its tests; also test-lint, test-compare and test-handouts
 	@$(MAKE) --no-print-directory run-$@
 
 ##@ Course
@@ -88,22 +91,22 @@ lock:  ## Write constraints.txt anew, with the newest versions that fit
 .PHONY: clean
 clean:  ## Remove what was built; .venv stays
 	rm -rf build dist cpp/build* java/target .mypy_cache .pytest_cache .ruff_cache
-	find python compare scripts -name __pycache__ -prune -exec rm -rf {} +
+	find python compare handouts scripts -name __pycache__ -prune -exec rm -rf {} +
 
 .PHONY: help
 help:  ## This list
 	@awk -F ':.*## ' '/^##@/ { print "\n" substr($$0, 5) } \
 	    /^[^\t#.][^=]*:.*## / { name = $$1; sub(/^\$$\(PORTS\)$$/, "$(PORTS)", name); \
-	    sub(/^\$$\(PARTS.*$$/, "test-PORT", name); printf "  %-36s %s\n", name, $$2 }' Makefile
+	    sub(/^\$$\(ALL_PARTS.*$$/, "test-PORT", name); printf "  %-36s %s\n", name, $$2 }' Makefile
 
-# The parts of the tests: name, what it needs, commands. `make test` runs all but the last side by side. A part whose
-# tools are missing is skipped, or fails where CI is set.
+# The parts of the tests: name, what it needs, commands. `make test` runs all but the last two side by side, and then
+# those two. A part whose tools are missing is skipped, or fails where CI is set.
 
-.PHONY: $(PARTS:%=run-test-%) run-test-compare
+.PHONY: $(ALL_PARTS:%=run-test-%)
 
 run-test-lint:
 	@scripts/part lint 'ruff mypy' 'ruff check .; ruff format --check .; \
-	    mypy$(foreach tests,$(wildcard python/tests compare/tests),; mypy $(tests))'
+	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests),; mypy $(tests))'
 
 run-test-python:
 	@scripts/part python 'pytest' 'pytest python/tests'
@@ -130,3 +133,7 @@ run-test-mathematica:
 
 run-test-compare:
 	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest compare/'
+
+run-test-handouts:
+	@scripts/part handouts 'pytest' 'parity build --jobs 1 --allow-skipped; \
+	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c handouts/pytest.ini handouts/tests'

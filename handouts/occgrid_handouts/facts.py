@@ -87,7 +87,7 @@ def gather(
     lesson["map_digits"] = math.floor(cells * math.log10(2.0)) + 1
     both = logit(settings.p_occ) + logit(settings.p_free)
     problems = problem_facts() | {"both": f"{both:+.4f}"}
-    ports = run_ports(root, work / "ports", languages)
+    ports = run_ports(root, languages)
     return {
         "version": edition.version,
         "commit": edition.commit,

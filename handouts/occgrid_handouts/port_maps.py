@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -22,6 +23,8 @@ from parity.ports import Port, find_ports
 Array = npt.NDArray[np.float64]
 
 SCENARIO = "scenarios/lesson.log"
+KEPT = "build/lesson-maps"
+BUILT_BY = ("port.toml", "CMakeLists.txt", "pom.xml")
 MODES: Mapping[str, tuple[tuple[str, ...], int | None]] = {
     "noise_free": (("--noise-free",), None),
     "seed_0": (("--seed", "0"), 0),
@@ -42,9 +45,12 @@ class PortMaps:
 
 
 def run_ports(
-    root: Path, work: Path, languages: Sequence[Language], jobs: int = 2
+    root: Path, languages: Sequence[Language], jobs: int = 2
 ) -> list[PortMaps]:
-    """Maps the lesson with the ports of these languages, as they are built; or takes the maps of an earlier run."""
+    """Maps the lesson with the ports of these languages, as they are built; or takes the maps of an earlier run.
+
+    The maps are kept in build/lesson-maps, so that the next build need not wait for the slowest port again.
+    """
     expected = {}
     for mode, (_, seed) in MODES.items():
         with read_scenario(root / SCENARIO) as scenario:
@@ -61,7 +67,7 @@ def run_ports(
             return port.skip_reason
         file = earlier_map(root, language, mode)
         if file is None:
-            folder = work / f"port-{language.id}-{mode}"
+            folder = root / KEPT / language.id / mode
             problem = _run(port, root, folder, MODES[mode][0])
             if problem:
                 return problem
@@ -87,14 +93,16 @@ def _port_maps(language: Language, found: Mapping[str, int | str]) -> PortMaps:
 
 
 def earlier_map(root: Path, language: Language, mode: str) -> Path | None:
-    """The map that an earlier ``parity run`` left, if it is newer than the port's sources."""
-    folder = root / "build" / "parity" / language.id / mode.replace("_", "-")
-    inputs = [root / SCENARIO, root / language.folder / "port.toml"]
+    """The map that an earlier build or ``parity run`` left, if it is newer than what the port is made of."""
+    of_run = root / "build/parity" / language.id / mode.replace("_", "-")
+    inputs = [root / SCENARIO]
+    inputs += [root / language.folder / name for name in BUILT_BY]
     inputs += source_files(root, language)
     newest = max(file.stat().st_mtime for file in inputs if file.is_file())
-    for file in sorted(folder.glob("**/lesson.logodds")):
-        if file.stat().st_mtime > newest:
-            return file
+    for folder in (root / KEPT / language.id / mode, of_run):
+        for file in sorted(folder.glob("**/lesson.logodds")):
+            if file.stat().st_mtime > newest:
+                return file
     return None
 
 
@@ -115,6 +123,7 @@ def count_differing(found: Array, expected: Array) -> int:
 
 def _run(port: Port, root: Path, folder: Path, words: Sequence[str]) -> str:
     """Runs a port on the lesson; says what went wrong, or nothing."""
+    shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     scenario = str(root / SCENARIO)
     # the Python port need not be installed

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
@@ -32,10 +32,14 @@ class Handouts:
     languages: tuple[Language, ...]
     edition: Edition
     snippets: dict[str, dict[str, Snippet]]
+    _read: dict[str, Element] = field(default_factory=dict)
 
     def page(self, name: str) -> Element:
-        """A page's tree."""
-        return read_page((self.folder / name).read_text(encoding="utf-8"))
+        """A page's tree, read once for all tests."""
+        if name not in self._read:
+            text = (self.folder / name).read_text(encoding="utf-8")
+            self._read[name] = read_page(text)
+        return self._read[name]
 
     def pages(self) -> list[str]:
         """The names of all pages."""
@@ -49,14 +53,16 @@ class Handouts:
         return sorted(self.folder.glob("**/*.pdf"))
 
 
-def needs(command: str, package: str) -> str:
-    """The command's path; skips the test where it is missing, or fails where nothing may be skipped."""
-    path = shutil.which(command, path=search_path())
-    if path is None:
-        if REQUIRE_ALL:
-            pytest.fail(f"{command} is missing: install {package}")
-        pytest.skip(f"{command} is missing: install {package}")
-    return path
+def needs(package: str, *commands: str) -> str:
+    """The path of the first command that is there; without any the test is skipped, or fails where none may be."""
+    for command in commands:
+        path = shutil.which(command, path=search_path())
+        if path is not None:
+            return path
+    reason = f"{' or '.join(commands)} is missing: install {package}"
+    if REQUIRE_ALL:
+        pytest.fail(reason)
+    pytest.skip(reason)
 
 
 def ready_languages() -> tuple[Language, ...]:

@@ -56,7 +56,7 @@ if (!location.search) {
 
 def title_in_browser(folder: Path, name: str) -> str:
     """The title of a page after its scripts have run."""
-    browser = needs("chromium", "chromium")
+    browser = needs("chromium", "chromium", "google-chrome")
     done = subprocess.run(
         [
             browser,

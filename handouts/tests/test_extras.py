@@ -69,14 +69,14 @@ def test_notebook_pictures_are_attached(handouts: Handouts) -> None:
 
 def test_script_runs_in_octave(handouts: Handouts) -> None:
     path = file_of(handouts, "matlab_handout.m")
-    octave = needs("octave-cli", "octave")
+    octave = needs("octave", "octave-cli")
     done = run_script(octave, path)
     assert done.returncode == 0, done.stderr
     assert "+1.0986" in done.stdout and "cells are unsure" in done.stdout
 
 
 def test_script_that_fails_is_noticed(tmp_path: Path) -> None:
-    octave = needs("octave-cli", "octave")
+    octave = needs("octave", "octave-cli")
     script = tmp_path / "failing.m"
     text = script_text("t", "s", [Program("x", "h", "error('no');")])
     script.write_text(text)
@@ -119,7 +119,7 @@ def test_wolfram_notebook_is_read_by_an_interpreter(
     handouts: Handouts, tmp_path: Path
 ) -> None:
     path = file_of(handouts, "mathematica.nb")
-    needs(wolfram_command()[0], "woxi")
+    needs("woxi", wolfram_command()[0])
     script = tmp_path / "read.wls"
     text = path.read_text(encoding="ascii")
     expression = text[text.index("Notebook[") :].strip()
@@ -141,7 +141,7 @@ def test_wolfram_notebook_is_read_by_an_interpreter(
 def test_wolfram_programs_run(handouts: Handouts, tmp_path: Path) -> None:
     """The input cells, but for the first, which needs a front end, and those that take long."""
     file_of(handouts, "mathematica.nb")
-    needs(wolfram_command()[0], "woxi")
+    needs("woxi", wolfram_command()[0])
     rooms = re.findall(
         r'"(\w+)"',
         (ROOT / "mathematica" / "OccupancyGrid.wl")

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -10,6 +15,7 @@ from built_handouts import REQUIRE_ALL, Handouts
 from occgrid_handouts.languages import LANGUAGES
 from occgrid_handouts.math_font import find_font
 from occgrid_handouts.page_tree import Element
+from occgrid_handouts.project import ROOT
 from occgrid_handouts.snippets import MAX_COLUMNS
 
 
@@ -206,6 +212,35 @@ def test_ports_agree_in_every_bit(handouts: Handouts) -> None:
         if not REQUIRE_ALL and "not measured" in row[1]:
             continue
         assert row[1:] == ["0", "0"]
+
+
+def test_commands_of_the_exercises_work(
+    handouts: Handouts, tmp_path: Path
+) -> None:
+    """Each as it is printed, with the Python port as the student's program."""
+    program = tmp_path / "my_program"
+    port = f'exec "{sys.executable}" -m occgrid --noise-free --out "$2" "$1"'
+    program.write_text(f"#!/bin/sh\n{port}\n")
+    program.chmod(0o755)
+    paths = [str(ROOT / "python"), str(ROOT / "compare")]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
+    commands = [
+        e.text().strip()
+        for e in handouts.page(f"{handouts.languages[0].id}.html").walk()
+        if e.has_class("command") and "--scenario" in e.text()
+    ]
+    assert len(commands) == 7
+    for command in commands:
+        name, *arguments = shlex.split(command)
+        done = subprocess.run(
+            [sys.executable, "-m", name, *arguments],
+            cwd=tmp_path,
+            env=environment,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "every bit of the log-odds" in done.stdout, command
 
 
 def test_every_page_says_what_it_is_made_of(handouts: Handouts) -> None:
