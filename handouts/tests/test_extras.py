@@ -13,7 +13,7 @@ import nbformat
 import pytest
 from nbclient.exceptions import CellExecutionError
 
-from built_handouts import REQUIRE_ALL, Handouts, needs
+from built_handouts import Handouts, needs
 from occgrid_handouts.blocks import Command, Heading, Program
 from occgrid_handouts.mathematica import SETUP, notebook_expression
 from occgrid_handouts.matlab_script import script_text
@@ -26,16 +26,8 @@ from occgrid_handouts.wolfram_syntax import check_expression
 READ: Any = nbformat.read
 
 
-def file_of(handouts: Handouts, name: str) -> Path:
-    path = handouts.folder / name
-    if not path.is_file():
-        assert not REQUIRE_ALL
-        pytest.skip(f"{name} was not built: its port is not complete")
-    return path
-
-
 def test_notebook_was_run_from_top_to_bottom(handouts: Handouts) -> None:
-    path = file_of(handouts, "python.ipynb")
+    path = handouts.folder / "python.ipynb"
     notebook = READ(path, as_version=4)
     nbformat.validate(notebook)
     code = [c for c in notebook.cells if c.cell_type == "code"]
@@ -49,7 +41,7 @@ def test_notebook_was_run_from_top_to_bottom(handouts: Handouts) -> None:
 
 
 def test_notebook_runs_again(handouts: Handouts) -> None:
-    path = file_of(handouts, "python.ipynb")
+    path = handouts.folder / "python.ipynb"
     notebook = READ(path, as_version=4)
     run_notebook(notebook, ROOT)
 
@@ -61,14 +53,14 @@ def test_notebook_that_fails_fails_the_build() -> None:
 
 
 def test_notebook_pictures_are_attached(handouts: Handouts) -> None:
-    path = file_of(handouts, "python.ipynb")
+    path = handouts.folder / "python.ipynb"
     for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
         asked = re.findall(r"\(attachment:([^)]*)\)", "".join(cell["source"]))
         assert sorted(asked) == sorted(cell.get("attachments", {}))
 
 
 def test_script_runs_in_octave(handouts: Handouts) -> None:
-    path = file_of(handouts, "matlab_handout.m")
+    path = handouts.folder / "matlab_handout.m"
     octave = needs("octave", "octave-cli")
     done = run_script(octave, path)
     assert done.returncode == 0, done.stderr
@@ -95,7 +87,7 @@ def run_script(octave: str, path: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_script_has_sections_and_short_lines(handouts: Handouts) -> None:
-    path = file_of(handouts, "matlab_handout.m")
+    path = handouts.folder / "matlab_handout.m"
     lines = path.read_text(encoding="utf-8").splitlines()
     assert sum(line.startswith("%% ") for line in lines) > 30
     for line in lines:
@@ -106,7 +98,7 @@ def test_script_has_sections_and_short_lines(handouts: Handouts) -> None:
 
 
 def test_wolfram_notebook_is_one_expression(handouts: Handouts) -> None:
-    path = file_of(handouts, "mathematica.nb")
+    path = handouts.folder / "mathematica.nb"
     text = path.read_text(encoding="ascii")
     check_expression(text, "Notebook")
     styles = set(re.findall(r'\], "(\w+)"\]', text))
@@ -118,7 +110,7 @@ def test_wolfram_notebook_is_one_expression(handouts: Handouts) -> None:
 def test_wolfram_notebook_is_read_by_an_interpreter(
     handouts: Handouts, tmp_path: Path
 ) -> None:
-    path = file_of(handouts, "mathematica.nb")
+    path = handouts.folder / "mathematica.nb"
     needs("woxi", wolfram_command()[0])
     script = tmp_path / "read.wls"
     text = path.read_text(encoding="ascii")
@@ -138,9 +130,8 @@ def test_wolfram_notebook_is_read_by_an_interpreter(
     assert done.stdout.strip() == f"Notebook {cells} {{Cell}}"
 
 
-def test_wolfram_programs_run(handouts: Handouts, tmp_path: Path) -> None:
+def test_wolfram_programs_run(tmp_path: Path) -> None:
     """The input cells, but for the first, which needs a front end, and those that take long."""
-    file_of(handouts, "mathematica.nb")
     needs("woxi", wolfram_command()[0])
     rooms = re.findall(
         r'"(\w+)"',

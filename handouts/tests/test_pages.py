@@ -33,11 +33,7 @@ def lines_of(listing: Element) -> dict[int, str]:
 
 
 def test_all_languages_are_there(handouts: Handouts) -> None:
-    if REQUIRE_ALL:
-        assert [one.id for one in handouts.languages] == [
-            one.id for one in LANGUAGES
-        ]
-    for language in handouts.languages:
+    for language in LANGUAGES:
         for folder in (handouts.folder, handouts.folder / "instructor"):
             assert (folder / f"{language.id}.html").is_file()
             assert (folder / f"{language.id}.pdf").is_file()
@@ -46,7 +42,7 @@ def test_all_languages_are_there(handouts: Handouts) -> None:
 def test_every_snippet_stands_in_its_handout_line_by_line(
     handouts: Handouts,
 ) -> None:
-    for language in handouts.languages:
+    for language in LANGUAGES:
         page = handouts.page(f"{language.id}.html")
         listings = {
             e.attributes["id"].removeprefix("listing-"): e
@@ -75,7 +71,7 @@ def test_appendix_has_the_same_snippets_in_all_languages(
                 for e in group.walk()
                 if e.has_class("panel")
             ]
-            assert shown == [one.id for one in handouts.languages]
+            assert shown == [one.id for one in LANGUAGES]
 
 
 def test_equations_and_listings_point_to_each_other(
@@ -166,7 +162,7 @@ def test_equations_are_mathml_with_a_font(handouts: Handouts) -> None:
 
 
 def test_solutions_are_the_instructors(handouts: Handouts) -> None:
-    for language in handouts.languages:
+    for language in LANGUAGES:
         student = handouts.page(f"{language.id}.html")
         instructor = handouts.page(f"instructor/{language.id}.html")
         solved = [e for e in instructor.walk() if e.has_class("solution")]
@@ -207,7 +203,7 @@ def test_ports_agree_in_every_bit(handouts: Handouts) -> None:
         for e in table.walk()
         if e.tag == "tr"
     ][1:]
-    assert [row[0] for row in rows] == [o.name for o in handouts.languages]
+    assert [row[0] for row in rows] == [o.name for o in LANGUAGES]
     for row in rows:
         if not REQUIRE_ALL and "not measured" in row[1]:
             continue
@@ -226,7 +222,7 @@ def test_commands_of_the_exercises_work(
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
     commands = [
         e.text().strip()
-        for e in handouts.page(f"{handouts.languages[0].id}.html").walk()
+        for e in handouts.page("cpp.html").walk()
         if e.has_class("command") and "--scenario" in e.text()
     ]
     assert len(commands) == 7
@@ -259,6 +255,6 @@ def test_index_lists_everything(handouts: Handouts) -> None:
             for e in handouts.page(name).walk()
             if e.tag == "a"
         }
-        for language in handouts.languages:
+        for language in LANGUAGES:
             assert {f"{language.id}.html", f"{language.id}.pdf"} <= links
         assert "python.ipynb" in links
