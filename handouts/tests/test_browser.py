@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import html
+import json
 import re
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -35,13 +39,15 @@ addEventListener("load", function () {
     }
     over.push(e.tagName + " " + e.className + ": " + e.textContent.slice(0, 40));
   });
-  parent.postMessage(width + " px; over the edge: " + over.join(" | "), "*");
+  parent.postMessage({width: width, over: over, page: location.pathname}, "*");
 });
 </script>
 """
 FRAME = """<!DOCTYPE html><title>waiting</title>
-<script>onmessage = function (e) {{ document.title = e.data; }};</script>
-<iframe src="page.html" style="width: {width}px; height: 900px; border: 0"></iframe>
+<script>
+var said = [];
+onmessage = function (e) { said.push(e.data); document.title = JSON.stringify(said); };
+</script>
 """
 REMEMBER = """
 <script>
@@ -80,16 +86,33 @@ def with_script(handouts: Handouts, name: str, script: str) -> str:
     return page.replace("</body>", script + "</body>")
 
 
+def measured(
+    folder: Path, pages: Mapping[str, str], width: int
+) -> list[dict[str, Any]]:
+    """What each page says of itself in a frame of that width."""
+    frames = []
+    for name, page in pages.items():
+        file = name.replace("/", "-")
+        (folder / file).write_text(page, encoding="utf-8")
+        style = f"width: {width}px; height: 900px; border: 0"
+        frames.append(f'<iframe src="{file}" style="{style}"></iframe>')
+    (folder / "frame.html").write_text(FRAME + "\n".join(frames))
+    title = title_in_browser(folder, "frame.html")
+    said: list[dict[str, Any]] = json.loads(html.unescape(title))
+    assert len(said) == len(pages)
+    return said
+
+
 @pytest.mark.parametrize("width", [390, 1280])
-def test_nothing_leaves_the_page(
+def test_nothing_leaves_a_page(
     handouts: Handouts, tmp_path: Path, width: int
 ) -> None:
-    name = "instructor/python.html"
-    (tmp_path / "page.html").write_text(with_script(handouts, name, MEASURE))
-    (tmp_path / "frame.html").write_text(FRAME.format(width=width))
-    said = title_in_browser(tmp_path, "frame.html")
-    assert re.fullmatch(r"(\d+) px; over the edge: ", said), said
-    assert width - 20 <= int(said.split()[0]) <= width
+    pages = {
+        name: with_script(handouts, name, MEASURE) for name in handouts.pages()
+    }
+    for said in measured(tmp_path, pages, width):
+        assert said["over"] == [], said["page"]
+        assert width - 20 <= said["width"] <= width
 
 
 def test_element_over_the_edge_is_noticed(
@@ -97,9 +120,8 @@ def test_element_over_the_edge_is_noticed(
 ) -> None:
     wide = '<p style="width: 50rem">wide</p>' + MEASURE
     page = with_script(handouts, "index.html", wide)
-    (tmp_path / "page.html").write_text(page)
-    (tmp_path / "frame.html").write_text(FRAME.format(width=390))
-    assert "P : wide" in title_in_browser(tmp_path, "frame.html")
+    (said,) = measured(tmp_path, {"index.html": page}, 390)
+    assert said["over"] == ["P : wide"]
 
 
 def test_language_of_the_tabs_is_remembered(
