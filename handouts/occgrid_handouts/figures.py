@@ -191,8 +191,8 @@ def _differences(axes: Axes, probability: Array, story: Story) -> None:
     settings = lesson_settings()
     bits = story.bits_differ & ~story.seen_to_differ
     for cells, color, marker, label in (
-        (bits, BLUE, ".", "in the last bits only"),
-        (story.seen_to_differ, ORANGE, "s", "in the picture, too"),
+        (bits, BLUE, ".", "in bits that the picture hides"),
+        (story.seen_to_differ, ORANGE, "s", "in the picture"),
     ):
         gy, gx = np.nonzero(cells)
         axes.plot(
@@ -209,5 +209,6 @@ def _differences(axes: Axes, probability: Array, story: Story) -> None:
         loc="upper center",
         bbox_to_anchor=(0.5, 1.12),
         ncols=2,
+        markerscale=2.0,
         frameon=False,
     )

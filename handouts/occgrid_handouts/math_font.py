@@ -76,6 +76,9 @@ def font_face(characters: set[str]) -> str:
 
 
 def with_math_font(pages: dict[str, str]) -> dict[str, str]:
-    """The pages by name, each with the font in place."""
+    """The pages by name, each that has equations with the font in place."""
     face = font_face(math_characters(pages.values()))
-    return {name: page.replace(PLACE, face) for name, page in pages.items()}
+    return {
+        name: page.replace(PLACE, face if "<math" in page else "")
+        for name, page in pages.items()
+    }
