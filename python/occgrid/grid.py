@@ -11,6 +11,10 @@ from occgrid import portable_math
 
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
+Mask = npt.NDArray[np.bool_]
+
+# up to so many cells of the grid for each update, a table of the cells costs less than sorting the updates
+SPREAD = 16
 
 
 # [snippet: grid-spec]
@@ -105,18 +109,46 @@ class OccupancyGrid:
 
     # [/snippet]
 
-    def update_cells(
-        self, cells: Cells, occupied: npt.NDArray[np.bool_]
-    ) -> None:
+    def update_cells(self, cells: Cells, occupied: Mask) -> None:
         """Apply update_cell to many cells in order, as l_occ where ``occupied`` and l_free elsewhere.
 
         cells: (n,) flat indices gy * width + gx, all in the grid, any of them repeated; occupied: (n,).
 
-        Cells are independent of each other: only the order of the updates of one cell counts. So the updates are
-        sorted by cell, in order within it, and then the j-th updates of all cells are applied at once.
+        Cells are independent of each other: only the order of the updates of one cell counts. Most cells are only
+        passed, and need but the count of it.
         """
         if cells.size == 0:
             return
+        low, high = int(cells.min()), int(cells.max())
+        if high - low < SPREAD * cells.size:
+            hit = np.zeros(high - low + 1, dtype=np.bool_)
+            hit[cells[occupied] - low] = True
+            ordered = hit[cells - low]
+            self._update_passed_cells(cells[~ordered] - low, low)
+            cells, occupied = cells[ordered], occupied[ordered]
+        self._update_cells_in_order(cells, occupied)
+
+    def _update_passed_cells(self, cells: Cells, low: int) -> None:
+        """update_cells where nothing is occupied, of the cells low + ``cells``."""
+        times = np.bincount(cells)
+        touched = np.flatnonzero(times)
+        times = times[touched]
+        most_first = np.argsort(-times)
+        touched = touched[most_first] + low
+        values = self.log_odds.reshape(-1)[touched]
+        step = self.l_free - self.l0
+        bound = self.l_min if step < 0.0 else self.l_max
+        for n in _how_many_reach(times[most_first]):
+            head = values[:n]
+            head += step
+            np.maximum(head, self.l_min, out=head)
+            np.minimum(head, self.l_max, out=head)
+            if (head == bound).all():
+                break  # where they stay
+        self.log_odds.reshape(-1)[touched] = values
+
+    def _update_cells_in_order(self, cells: Cells, occupied: Mask) -> None:
+        """update_cells by sorting the updates by cell, in order within it, and applying the j-th of all at once."""
         # cell, place in the order and kind in one number each: sorting these is much faster than a stable argsort
         bits = int(cells.size).bit_length() + 1
         keys = cells << bits | np.arange(cells.size) << 1 | occupied
@@ -126,13 +158,11 @@ class OccupancyGrid:
 
         starts = np.flatnonzero(np.diff(cells, prepend=-1))
         counts = np.diff(starts, append=cells.size)
-        most_first = np.argsort(-counts, kind="stable")
+        most_first = np.argsort(-counts)
         starts, counts = starts[most_first], counts[most_first]
         touched = cells[starts]
         values = self.log_odds.reshape(-1)[touched]
-        # how many cells have a j-th update, j = 0, 1, ...
-        reached = np.searchsorted(-counts, -np.arange(counts[0]), side="left")
-        for j, n in enumerate(reached.tolist()):
+        for j, n in enumerate(_how_many_reach(counts)):
             head = values[:n]
             head += steps[starts[:n] + j]
             np.maximum(head, self.l_min, out=head)
@@ -145,3 +175,10 @@ class OccupancyGrid:
         return sigmoid(self.log_odds)
 
     # [/snippet]
+
+
+def _how_many_reach(counts: Cells) -> list[int]:
+    """How many of the counts, the greatest first, are more than j: for j = 0, 1, ..., below the greatest."""
+    most = counts[0] if counts.size else 0
+    reached = np.searchsorted(-counts, -np.arange(most), side="left")
+    return list(map(int, reached))

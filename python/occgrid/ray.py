@@ -10,6 +10,9 @@ import numpy.typing as npt
 Cells = npt.NDArray[np.int64]
 Mask = npt.NDArray[np.bool_]
 
+# cells of a trace that are worked on at once, a line more or less: what stays in the processor's cache
+CELLS_AT_ONCE = 1 << 15
+
 
 # [snippet: bresenham]
 def bresenham(gx0: int, gy0: int, gx1: int, gy1: int) -> tuple[Cells, Cells]:
@@ -92,10 +95,8 @@ def trace_rays(
 ) -> Trace:
     """bresenham for many lines at once, only the cells in the grid.
 
-    The same closed form, on one long array: NumPy's cost is in the number
-    of its calls. The quotient is taken in floating point: with extents of at
-    most a million it is at least 1 / (2 a) below the next integer, or is that
-    integer, and so never rounds up to it.
+    The same closed form, on long arrays: NumPy's cost is in the number of its calls. On too long ones it is in the
+    memory, so the lines are taken some at a time.
     """
     first, last = clip_ray(gx0, gy0, gx1, gy1, width, height)
     dx, dy = np.abs(gx1 - gx0), np.abs(gy1 - gy0)
@@ -106,18 +107,31 @@ def trace_rays(
     major = np.where(along_x, step_x, step_y)
     minor = np.where(along_x, step_y, step_x)
     longest = np.maximum(a, 1)  # a line of one cell has step 0 only
+    start = gy0 * width + gx0
 
     counts = np.maximum(last - first + 1, 0)
     after = np.cumsum(counts)  # cells of the lines up to each line
-    k = np.arange(after[-1] if after.size else 0)
-    k -= np.repeat(after - counts - first, counts)
-    quotient = k * np.repeat(2.0 * b, counts)
-    quotient += np.repeat(longest - 1.0, counts)
-    quotient /= np.repeat(2.0 * longest, counts)
-    cells = np.floor(quotient).astype(np.int64)
-    cells *= np.repeat(minor, counts)
-    cells += k * np.repeat(major, counts)
-    cells += np.repeat(gy0 * width + gx0, counts)
+    cells = np.empty(after[-1] if after.size else 0, dtype=np.int64)
+    lines = 0
+    while lines < counts.size:
+        done = after[lines - 1] if lines else 0
+        upto = int(np.searchsorted(after, done + CELLS_AT_ONCE)) + 1
+        part = slice(lines, upto)
+        n = counts[part]
+        k = np.arange(after[part][-1] - done)
+        k -= np.repeat(after[part] - done - n - first[part], n)
+        # In floating point: with extents of at most a million the quotient is at least 1 / (2 a) below the next
+        # integer, or is that integer, and so never rounds up to it.
+        quotient = k * np.repeat(2.0 * b[part], n)
+        quotient += np.repeat(longest[part] - 1.0, n)
+        quotient /= np.repeat(2.0 * longest[part], n)
+        found = quotient.astype(np.int64)  # not negative: its floor
+        found *= np.repeat(minor[part], n)
+        k *= np.repeat(major[part], n)
+        found += k
+        found += np.repeat(start[part], n)
+        cells[done : done + k.size] = found
+        lines = upto
 
     ends = np.zeros(cells.size, dtype=np.bool_)
     ends[after[(counts > 0) & (last == a)] - 1] = True

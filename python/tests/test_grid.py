@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from occgrid.grid import GridSpec, OccupancyGrid, logit, sigmoid
+from occgrid.grid import SPREAD, GridSpec, OccupancyGrid, logit, sigmoid
 
 
 def small_grid(**model: float) -> OccupancyGrid:
@@ -101,14 +101,26 @@ def test_update_cell_skips_what_is_outside() -> None:
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_update_cells_is_update_cell_in_order(seed: int) -> None:
+@pytest.mark.parametrize("p_free", [0.21, 0.4, 0.7])
+@pytest.mark.parametrize("bounds", [(-2.3, 3.1), (-30.0, 30.0)])
+@pytest.mark.parametrize("spread", [0, SPREAD])
+def test_update_cells_is_update_cell_in_order(
+    seed: int,
+    p_free: float,
+    bounds: tuple[float, float],
+    spread: int,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With the table of cells and without; some cells are only passed, up to a bound and on, or not so far."""
+    monkeypatch.setattr("occgrid.grid.SPREAD", spread)
     rng = np.random.default_rng(seed)
-    model = {"p0": 0.4, "p_free": 0.21, "l_min": -2.3, "l_max": 3.1}
+    model = {"p0": 0.4, "p_free": p_free}
+    model |= dict(zip(("l_min", "l_max"), bounds, strict=True))
     plain, quick = small_grid(**model), small_grid(**model)
     for _ in range(4):
         n = int(rng.integers(0, 400))
         cells = rng.integers(0, 24, n) // rng.integers(1, 4)
-        occupied = rng.random(n) < 0.3
+        occupied = (rng.random(n) < 0.3) & (cells % 3 == 0)
         for cell, hit in zip(cells.tolist(), occupied.tolist(), strict=True):
             evidence = plain.l_occ if hit else plain.l_free
             plain.update_cell(cell % 6, cell // 6, evidence)

@@ -6,7 +6,7 @@ import numpy as np
 import plain
 import pytest
 
-from occgrid.ray import bresenham, clip_ray, trace_rays
+from occgrid.ray import CELLS_AT_ONCE, bresenham, clip_ray, trace_rays
 
 
 def cells(gx0: int, gy0: int, gx1: int, gy1: int) -> list[tuple[int, int]]:
@@ -78,8 +78,12 @@ def test_clip_ray_of_a_distant_robot() -> None:
     assert (last < first).all()
 
 
+@pytest.mark.parametrize("at_once", [1, 50, CELLS_AT_ONCE])
 @pytest.mark.parametrize(("width", "height"), [(1, 1), (9, 4), (3, 25)])
-def test_trace_rays_is_bresenham_in_the_grid(width: int, height: int) -> None:
+def test_trace_rays_is_bresenham_in_the_grid(
+    width: int, height: int, at_once: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("occgrid.ray.CELLS_AT_ONCE", at_once)
     rng = np.random.default_rng(height)
     gx0, gy0, gx1, gy1 = rng.integers(-12, 30, (4, 3000))
     trace = trace_rays(gx0, gy0, gx1, gy1, width, height)
