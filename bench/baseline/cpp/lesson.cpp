@@ -54,7 +54,7 @@ std::vector<std::pair<int, int>> bresenham(int x, int y, int x_end,
   const int x_step = x < x_end ? 1 : -1, y_step = y < y_end ? 1 : -1;
   int error = dx - dy;
   while (true) {
-    cells.emplace_back(x, y);
+    cells.push_back({x, y});  // as the lesson has it; emplace_back is quicker
     if (x == x_end && y == y_end) return cells;
     const int twice = 2 * error;
     if (twice > -dy) {

@@ -10,14 +10,56 @@ import java.util.List;
  * each an array of two, and a look at the borders for each update.
  */
 final class LessonDriver implements Driver.Mapping {
-    private static final double L0 = logit(0.5);
-    private static final double L_OCC = logit(0.75);
-    private static final double L_FREE = logit(0.30);
-    private static final double L_MIN = -8.0;
-    private static final double L_MAX = 8.0;
+    /** Log-odds of every cell; not final, as in the lesson, and quicker so. */
+    private static final class Grid {
+        int width;
+        int height;
+        double resolution;
+        double originX;
+        double originY;
+        double l0 = logit(0.5);
+        double lOcc = logit(0.75);
+        double lFree = logit(0.30);
+        double lMin = -8.0;
+        double lMax = 8.0;
+        double[] logOdds;
+
+        Grid(Driver.Work work) {
+            width = work.width();
+            height = work.height();
+            resolution = work.resolution();
+            originX = work.originX();
+            originY = work.originY();
+            logOdds = new double[width * height];
+            Arrays.fill(logOdds, l0);
+        }
+
+        int[] worldToGrid(double x, double y) {
+            return new int[]{(int) Math.floor((x - originX) / resolution),
+                    (int) Math.floor((y - originY) / resolution)};
+        }
+
+        boolean inBounds(int gx, int gy) {
+            return 0 <= gx && gx < width && 0 <= gy && gy < height;
+        }
+
+        void updateCell(int gx, int gy, double l) {
+            if (!inBounds(gx, gy)) {
+                return;
+            }
+            int cell = gy * width + gx;
+            logOdds[cell] += l - l0;
+            if (logOdds[cell] > lMax) {
+                logOdds[cell] = lMax;
+            }
+            if (logOdds[cell] < lMin) {
+                logOdds[cell] = lMin;
+            }
+        }
+    }
 
     private final Driver.Work work;
-    private double[] logOdds;
+    private Grid grid;
 
     private LessonDriver(Driver.Work work) {
         this.work = work;
@@ -25,26 +67,6 @@ final class LessonDriver implements Driver.Mapping {
 
     private static double logit(double p) {
         return Math.log(p / (1.0 - p));
-    }
-
-    private int[] worldToGrid(double x, double y) {
-        return new int[]{
-                (int) Math.floor((x - work.originX()) / work.resolution()),
-                (int) Math.floor((y - work.originY()) / work.resolution())};
-    }
-
-    private void updateCell(int gx, int gy, double l) {
-        if (gx < 0 || gx >= work.width() || gy < 0 || gy >= work.height()) {
-            return;
-        }
-        int cell = gy * work.width() + gx;
-        logOdds[cell] += l - L0;
-        if (logOdds[cell] > L_MAX) {
-            logOdds[cell] = L_MAX;
-        }
-        if (logOdds[cell] < L_MIN) {
-            logOdds[cell] = L_MIN;
-        }
     }
 
     private static List<int[]> bresenham(int x, int y, int xEnd, int yEnd) {
@@ -71,31 +93,33 @@ final class LessonDriver implements Driver.Mapping {
         }
     }
 
-    private void updateFromScan(Driver.WorkScan scan) {
-        int[] robot = worldToGrid(scan.x(), scan.y());
-        for (int i = 0; i < work.angles().length; i++) {
-            double heading = scan.theta() + work.angles()[i];
-            double range = Math.min(scan.ranges()[i], work.maxRange());
-            int[] end = worldToGrid(scan.x() + range * Math.cos(heading),
+    private static void updateFromScan(Grid grid, Driver.WorkScan scan,
+            double[] angles, double zMax) {
+        int[] robot = grid.worldToGrid(scan.x(), scan.y());
+        for (int i = 0; i < angles.length; i++) {
+            double heading = scan.theta() + angles[i];
+            double range = Math.min(scan.ranges()[i], zMax);
+            int[] end = grid.worldToGrid(scan.x() + range * Math.cos(heading),
                     scan.y() + range * Math.sin(heading));
             List<int[]> cells = bresenham(robot[0], robot[1], end[0], end[1]);
-            boolean hit = range < work.maxRange() - 1e-12;
+            boolean hit = range < zMax - 1e-12;
             int free = hit ? cells.size() - 1 : cells.size();
             for (int k = 0; k < free; k++) {
-                updateCell(cells.get(k)[0], cells.get(k)[1], L_FREE);
+                int[] cell = cells.get(k);
+                grid.updateCell(cell[0], cell[1], grid.lFree);
             }
             if (hit) {
-                updateCell(cells.get(free)[0], cells.get(free)[1], L_OCC);
+                int[] last = cells.get(free);
+                grid.updateCell(last[0], last[1], grid.lOcc);
             }
         }
     }
 
     @Override
     public void map() {
-        logOdds = new double[work.width() * work.height()];
-        Arrays.fill(logOdds, L0);
+        grid = new Grid(work);
         for (Driver.WorkScan scan : work.scans()) {
-            updateFromScan(scan);
+            updateFromScan(grid, scan, work.angles(), work.maxRange());
         }
     }
 
@@ -103,7 +127,7 @@ final class LessonDriver implements Driver.Mapping {
     public void write(OutputStream out) throws IOException {
         PrintStream text = new PrintStream(out);
         text.println("# logodds " + work.width() + " " + work.height());
-        for (double value : logOdds) {
+        for (double value : grid.logOdds) {
             text.println(value);
         }
         text.flush();

@@ -7,35 +7,48 @@ from __future__ import annotations
 
 import math
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 
-from driver import Array, Work, answer_requests, read_work
+from driver import Array, answer_requests, read_work
 
 
 def logit(p: float) -> float:
     return math.log(p / (1.0 - p))
 
 
+@dataclass
+class GridSpec:
+    width: int
+    height: int
+    resolution: float
+    origin_x: float
+    origin_y: float
+
+
 class Grid:
-    def __init__(self, work: Work) -> None:
-        self.work = work
+    def __init__(self, spec: GridSpec) -> None:
+        self.spec = spec
         self.l0 = logit(0.5)
         self.l_occ = logit(0.75)
         self.l_free = logit(0.30)
         self.l_min, self.l_max = -8.0, 8.0
-        self.log_odds = np.full((work.height, work.width), self.l0)
+        self.log_odds = np.full((spec.height, spec.width), self.l0)
 
     def world_to_grid(self, x: float, y: float) -> tuple[int, int]:
-        gx = math.floor((x - self.work.origin_x) / self.work.resolution)
-        gy = math.floor((y - self.work.origin_y) / self.work.resolution)
+        gx = math.floor((x - self.spec.origin_x) / self.spec.resolution)
+        gy = math.floor((y - self.spec.origin_y) / self.spec.resolution)
         return gx, gy
 
+    def in_bounds(self, gx: int, gy: int) -> bool:
+        return 0 <= gx < self.spec.width and 0 <= gy < self.spec.height
+
     def update_cell(self, gx: int, gy: int, l_update: float) -> None:
-        if not (0 <= gx < self.work.width and 0 <= gy < self.work.height):
+        if not self.in_bounds(gx, gy):
             return
         self.log_odds[gy, gx] += l_update - self.l0
         if self.log_odds[gy, gx] > self.l_max:
@@ -63,22 +76,24 @@ def bresenham(x: int, y: int, x_end: int, y_end: int) -> list[tuple[int, int]]:
             y += y_step
 
 
-def update_from_scan(grid: Grid, pose: list[float], ranges: Array) -> None:
+def update_from_scan(
+    grid: Grid, pose: list[float], angles: Array, ranges: Array, z_max: float
+) -> None:
     x, y, theta = pose
-    max_range = grid.work.max_range
-    gx, gy = grid.world_to_grid(x, y)
-    for angle, measured in zip(grid.work.angles, ranges, strict=True):
+    gx0, gy0 = grid.world_to_grid(x, y)
+    for angle, measured in zip(angles, ranges, strict=True):
         heading = theta + float(angle)
-        z = min(float(measured), max_range)
-        end = grid.world_to_grid(
+        z = min(float(measured), z_max)
+        gx1, gy1 = grid.world_to_grid(
             x + z * math.cos(heading), y + z * math.sin(heading)
         )
-        cells = bresenham(gx, gy, *end)
-        hit = z < max_range - 1e-12
-        for cell in cells[:-1] if hit else cells:
-            grid.update_cell(*cell, grid.l_free)
+        cells = bresenham(gx0, gy0, gx1, gy1)
+        hit = z < z_max - 1e-12
+        for gx, gy in cells[:-1] if hit else cells:
+            grid.update_cell(gx, gy, grid.l_free)
         if hit:
-            grid.update_cell(*cells[-1], grid.l_occ)
+            gx, gy = cells[-1]
+            grid.update_cell(gx, gy, grid.l_occ)
 
 
 def main() -> None:
@@ -86,9 +101,9 @@ def main() -> None:
     mapped: list[Grid] = []
 
     def map_work() -> None:
-        grid = Grid(work)
+        grid = Grid(GridSpec(*work[:5]))
         for pose, ranges in zip(work.poses.tolist(), work.ranges, strict=True):
-            update_from_scan(grid, pose, ranges)
+            update_from_scan(grid, pose, work.angles, ranges, work.max_range)
         mapped[:] = [grid]
 
     def log_odds() -> Array:

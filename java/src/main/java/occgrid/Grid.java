@@ -237,10 +237,10 @@ public final class Grid {
             for (int k = first; k <= last; k++) {
                 int cell = major + (int) (minor >> FRACTION) * minorStep;
                 double value = logOdds[cell] + delta;
-                if (down ? value < bound : value > bound) {
-                    value = bound;
-                }
-                logOdds[cell] = value;
+                // no branch: the processor would guess wrong too often
+                logOdds[cell] = down
+                        ? Math.max(value, bound)
+                        : Math.min(value, bound);
                 major += majorStep;
                 minor += slope;
             }

@@ -3,6 +3,7 @@ package occgrid;
 import java.util.List;
 import occgrid.Grid.Cell;
 import occgrid.Grid.OccupancyGrid;
+import occgrid.PortableMath.SinCos;
 import occgrid.Ray.Steps;
 import occgrid.World.Pose;
 
@@ -144,9 +145,9 @@ public final class Sensor {
         double[] ex = new double[z.length];
         double[] ey = new double[z.length];
         for (int i = 0; i < z.length; i++) {
-            double beam = pose.theta() + angles[i];
-            ex[i] = pose.x() + z[i] * PortableMath.cos(beam);
-            ey[i] = pose.y() + z[i] * PortableMath.sin(beam);
+            SinCos beam = PortableMath.sinCos(pose.theta() + angles[i]);
+            ex[i] = pose.x() + z[i] * beam.cos();
+            ey[i] = pose.y() + z[i] * beam.sin();
         }
         return new Endpoints(ex, ey);
     }
