@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <future>
 #include <utility>
 
@@ -44,55 +45,92 @@ std::function<std::optional<Scan>()> simulated_scans(
 }
 // [/snippet]
 
+namespace {
+
+/// Runs work(0) .. work(n - 1) at once, the first on this thread. If that
+/// throws, the futures wait for the others.
+template <typename Work>
+void in_parallel(int n, const Work& work) {
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < n; ++i) {
+    others.push_back(std::async(std::launch::async, std::cref(work), i));
+  }
+  work(0);
+  for (auto& other : others) other.get();
+}
+
+}  // namespace
+
 OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
                                     std::optional<std::uint32_t> seed,
                                     int threads) {
-  constexpr std::size_t batch_beams = 1 << 15;
+  constexpr Eigen::Index batch_beams = 1 << 16;
   const Settings& settings = scenario.settings;
   OccupancyGrid grid = settings.new_grid();
   const auto next_scan = simulated_scans(scenario, seed);
   const auto read_batch = [&] {
-    std::vector<Beam> beams;
-    while (beams.size() < batch_beams) {
-      const auto scan = next_scan();
+    std::vector<Scan> scans;
+    for (Eigen::Index beams = 0; beams < batch_beams;) {
+      auto scan = next_scan();
       if (!scan) break;
-      append_beams(beams, grid, *scan, settings.max_range, settings.no_return);
+      beams += scan->ranges.size();
+      scans.push_back(std::move(*scan));
     }
-    return beams;
+    return scans;
   };
-  // This thread reads the next batch while the others update their rows from
-  // the one before. If it throws, their futures wait for them.
+  // kept from batch to batch, as new memory is slow at first
+  const auto share = static_cast<std::size_t>(threads);
+  std::vector<std::vector<Beam>> beams(share);
+  const auto map_batch = [&](const std::vector<Scan>& scans) {
+    // first the beams, each thread those of some scans; then the updates
+    in_parallel(threads, [&](int thread) {
+      const auto t = static_cast<std::size_t>(thread);
+      const std::size_t end = scans.size() * (t + 1) / share;
+      beams[t].clear();
+      for (std::size_t s = scans.size() * t / share; s < end; ++s) {
+        append_beams(beams[t], grid, scans[s], settings.max_range,
+                     settings.no_return);
+      }
+    });
+    const auto bands = cut_bands(beams, settings.height, threads);
+    in_parallel(threads, [&](int thread) {
+      const Rows rows = bands[static_cast<std::size_t>(thread)];
+      for (const auto& some : beams) update_rows_from_beams(grid, some, rows);
+    });
+  };
+  // This thread reads the next batch while the others map the one before. If
+  // it throws, the future waits for them.
   for (auto batch = read_batch(); !batch.empty();) {
-    std::vector<std::future<void>> bands;
-    for (const Rows rows : cut_bands(batch, settings.height, threads)) {
-      bands.push_back(std::async(std::launch::async, [&grid, &batch, rows] {
-        update_rows_from_beams(grid, batch, rows);
-      }));
-    }
+    auto mapped = std::async(std::launch::async, map_batch, std::cref(batch));
     auto next_batch = read_batch();
-    for (auto& band : bands) band.get();
+    mapped.get();
     batch = std::move(next_batch);
   }
   return grid;
 }
 
-std::vector<Rows> cut_bands(const std::vector<Beam>& beams,
+std::vector<Rows> cut_bands(const std::vector<std::vector<Beam>>& beams,
                             std::int64_t height, int bands) {
   // how many more cells a row has of the beams than the row before
   std::vector<double> rise(static_cast<std::size_t>(height) + 1, 0.0);
   double all = 0.0;
-  for (const Beam& beam : beams) {
-    const auto [low, high] = std::minmax(beam.robot.gy, beam.end.gy);
-    const std::int64_t first = std::max<std::int64_t>(low, 0);
-    const std::int64_t last = std::min(high, height - 1);
-    if (last < first) continue;
-    const std::int64_t columns = std::abs(beam.end.gx - beam.robot.gx);
-    const std::int64_t rows = high - low + 1;
-    const double in_a_row = std::max(
-        1.0, static_cast<double>(columns) / static_cast<double>(rows));
-    rise[static_cast<std::size_t>(first)] += in_a_row;
-    rise[static_cast<std::size_t>(last + 1)] -= in_a_row;
-    all += in_a_row * static_cast<double>(last - first + 1);
+  for (const std::vector<Beam>& some : beams) {
+    // some thousand beams say enough
+    const std::size_t step = 1 + some.size() / 4096;
+    for (std::size_t i = 0; i < some.size(); i += step) {
+      const Beam& beam = some[i];
+      const auto [low, high] = std::minmax(beam.robot.gy, beam.end.gy);
+      const std::int64_t first = std::max<std::int64_t>(low, 0);
+      const std::int64_t last = std::min(high, height - 1);
+      if (last < first) continue;
+      const std::int64_t columns = std::abs(beam.end.gx - beam.robot.gx);
+      const std::int64_t rows = high - low + 1;
+      const double in_a_row = std::max(
+          1.0, static_cast<double>(columns) / static_cast<double>(rows));
+      rise[static_cast<std::size_t>(first)] += in_a_row;
+      rise[static_cast<std::size_t>(last + 1)] -= in_a_row;
+      all += in_a_row * static_cast<double>(last - first + 1);
+    }
   }
   std::vector<Rows> cut;
   std::int64_t row = 0;

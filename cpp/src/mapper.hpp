@@ -24,15 +24,15 @@ std::function<std::optional<Scan>()> simulated_scans(
     const Scenario& scenario, std::optional<std::uint32_t> seed);
 
 /// map_scenario on several threads, with the same bits for any number of
-/// them: each owns a band of rows and takes the updates in order. Memory
-/// grows with the grid and not with the log.
+/// them: each owns a band of rows and takes the updates in order, while this
+/// one reads on. Memory grows with the grid and not with the log.
 OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
                                     std::optional<std::uint32_t> seed,
                                     int threads);
 
 /// Cuts the rows 0 .. height-1 into bands, in order, that take about as many
 /// updates by these beams each. Some may be empty.
-std::vector<Rows> cut_bands(const std::vector<Beam>& beams,
+std::vector<Rows> cut_bands(const std::vector<std::vector<Beam>>& beams,
                             std::int64_t height, int bands);
 
 }  // namespace occgrid

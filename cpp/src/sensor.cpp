@@ -182,9 +182,9 @@ void update_rows_from_beams(OccupancyGrid& grid,
     const auto [low, high] = std::minmax(beam.robot.gy, beam.end.gy);
     if (high < rows.first || rows.last < low) continue;
     const Line line(beam.robot, beam.end);
-    // the rows as a grid of their own
-    Line above = line;
-    above.from.gy -= rows.first;
+    // the rows as a grid of their own; a copy of the line would be slower
+    const Line above({beam.robot.gx, beam.robot.gy - rows.first},
+                     {beam.end.gx, beam.end.gy - rows.first});
     Steps free = clip_ray(above, grid.spec.width, rows.last - rows.first + 1);
     if (beam.hit) free.last = std::min(free.last, line.a - 1);
     update_line(grid, line, free, grid.l_free);

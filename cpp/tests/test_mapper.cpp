@@ -69,11 +69,11 @@ TEST(Mapper, LessonInBands) {
 TEST(Mapper, RandomLogsInBands) {
   for (const std::int64_t height : {60, 5, 1}) {
     const auto plain =
-        occgrid::map_scenario(random_log(height, 250), std::nullopt);
+        occgrid::map_scenario(random_log(height, 500), std::nullopt);
     EXPECT_TRUE((plain.log_odds == plain.l_min).any());
     for (const int threads : {1, 2, 3, 7}) {
       const auto banded = occgrid::map_scenario_in_bands(
-          random_log(height, 250), std::nullopt, threads);
+          random_log(height, 500), std::nullopt, threads);
       EXPECT_TRUE(same_bits(plain, banded)) << height << ' ' << threads;
     }
   }
@@ -81,8 +81,8 @@ TEST(Mapper, RandomLogsInBands) {
 
 // An error comes out while the bands are at work on the batch before.
 TEST(Mapper, ErrorsOfTheLogComeThrough) {
-  for (const int after : {0, 200}) {
-    Scenario log = random_log(60, 250);
+  for (const int after : {0, 500}) {
+    Scenario log = random_log(60, 600);
     log.next_scan = [next = log.next_scan, after, s = 0]() mutable {
       if (s++ == after) throw occgrid::ScenarioError("a.log", 7, "bad");
       return next();
@@ -99,7 +99,7 @@ TEST(Mapper, CutBandsCoversEveryRowOnce) {
                                              {{0, 3}, {50, 3}, false},
                                              {{0, -9}, {0, -1}, true}};
       std::int64_t row = 0;
-      for (const Rows rows : occgrid::cut_bands(beams, height, bands)) {
+      for (const Rows rows : occgrid::cut_bands({beams}, height, bands)) {
         EXPECT_EQ(rows.first, row);
         EXPECT_GE(rows.last, rows.first - 1);
         row = rows.last + 1;
@@ -113,9 +113,9 @@ TEST(Mapper, CutBandsSharesTheWork) {
   // a fan of 40 beams in rows 10 to 13, and one long one along row 90
   std::vector<occgrid::Beam> beams;
   for (int i = 0; i < 40; ++i) beams.push_back({{0, 10}, {3, 13}, true});
-  EXPECT_EQ(occgrid::cut_bands(beams, 100, 2).front().last, 11);
+  EXPECT_EQ(occgrid::cut_bands({beams}, 100, 2).front().last, 11);
   beams.push_back({{0, 90}, {1000, 90}, true});
-  EXPECT_EQ(occgrid::cut_bands(beams, 100, 2).front().last, 90);
+  EXPECT_EQ(occgrid::cut_bands({beams}, 100, 2).front().last, 90);
 }
 
 }  // namespace
