@@ -84,12 +84,12 @@ public final class Mapper {
     // [/snippet]
 
     /** Beams that are updated together: bounds the memory. */
-    private static final int BATCH_BEAMS = 1 << 15;
+    private static final int BATCH_BEAMS = 1 << 16;
 
     /**
      * mapScenario on several threads, with the same bits for any number of
-     * them: each owns a band of rows and takes the updates in order. Memory
-     * grows with the grid and not with the log.
+     * them: each owns a band of rows and takes the updates in order, while
+     * this one reads on. Memory grows with the grid and not with the log.
      *
      * @param scenario the scenario; its scans are used up
      * @param seed the noise's seed, 0 to 2^32 - 1; without, free of noise
@@ -104,16 +104,25 @@ public final class Mapper {
         Iterator<Scan> scans = simulatedScans(scenario, seed);
         ExecutorService workers = Executors.newFixedThreadPool(threads);
         try {
-            List<Beam> batch = nextBatch(scans, grid, settings);
+            List<Scan> batch = nextBatch(scans);
             while (!batch.isEmpty()) {
-                List<Beam> beams = batch;
+                // first the beams, each thread those of some scans
+                List<Scan> read = batch;
+                List<Future<List<Beam>>> found = new ArrayList<>();
+                for (int t = 0; t < threads; t++) {
+                    List<Scan> some = read.subList(read.size() * t / threads,
+                            read.size() * (t + 1) / threads);
+                    found.add(workers
+                            .submit(() -> beamsOf(some, grid, settings)));
+                }
+                List<List<Beam>> beams = allOf(found);
+                // then the updates, while this thread reads on
                 List<Future<?>> bands = new ArrayList<>();
                 for (Rows rows : cutBands(beams, settings.height(), threads)) {
-                    bands.add(workers.submit(() -> Sensor
-                            .updateRowsFromBeams(grid, beams, rows)));
+                    bands.add(workers.submit(() -> beams.forEach(some -> Sensor
+                            .updateRowsFromBeams(grid, some, rows))));
                 }
-                // meanwhile this thread reads on
-                batch = nextBatch(scans, grid, settings);
+                batch = nextBatch(scans);
                 for (Future<?> band : bands) {
                     band.get();
                 }
@@ -129,14 +138,33 @@ public final class Mapper {
         }
     }
 
-    private static List<Beam> nextBatch(Iterator<Scan> scans,
-            OccupancyGrid grid, Settings settings) {
+    private static List<Scan> nextBatch(Iterator<Scan> scans) {
+        List<Scan> batch = new ArrayList<>();
+        for (int beams = 0; beams < BATCH_BEAMS && scans.hasNext();) {
+            Scan scan = scans.next();
+            batch.add(scan);
+            beams += scan.ranges().length;
+        }
+        return batch;
+    }
+
+    private static List<Beam> beamsOf(List<Scan> scans, OccupancyGrid grid,
+            Settings settings) {
         List<Beam> beams = new ArrayList<>();
-        while (beams.size() < BATCH_BEAMS && scans.hasNext()) {
-            Sensor.appendBeams(beams, grid, scans.next(), settings.maxRange(),
+        for (Scan scan : scans) {
+            Sensor.appendBeams(beams, grid, scan, settings.maxRange(),
                     settings.noReturn());
         }
         return beams;
+    }
+
+    private static <T> List<T> allOf(List<Future<T>> futures)
+            throws InterruptedException, ExecutionException {
+        List<T> results = new ArrayList<>();
+        for (Future<T> future : futures) {
+            results.add(future.get());
+        }
+        return results;
     }
 
     /**
@@ -148,17 +176,25 @@ public final class Mapper {
      * @param count number of bands
      * @return the bands
      */
-    static List<Rows> cutBands(List<Beam> beams, int height, int count) {
+    static List<Rows> cutBands(List<List<Beam>> beams, int height,
+            int count) {
         // how many more cells a row has of the beams than the row before
         double[] rise = new double[height + 1];
         double all = 0.0;
-        for (Beam beam : beams) {
-            int first = Math.max(Math.min(beam.gy0(), beam.gy1()), 0);
-            int last = Math.min(Math.max(beam.gy0(), beam.gy1()), height - 1);
-            if (first <= last) {
+        for (List<Beam> some : beams) {
+            // some thousand beams say enough
+            int step = 1 + some.size() / 4096;
+            for (int i = 0; i < some.size(); i += step) {
+                Beam beam = some.get(i);
+                int low = Math.min(beam.gy0(), beam.gy1());
+                int high = Math.max(beam.gy0(), beam.gy1());
+                int first = Math.max(low, 0);
+                int last = Math.min(high, height - 1);
+                if (first > last) {
+                    continue;
+                }
                 double columns = Math.abs(beam.gx1() - beam.gx0());
-                double rows = Math.abs(beam.gy1() - beam.gy0()) + 1.0;
-                double inRow = Math.max(1.0, columns / rows);
+                double inRow = Math.max(1.0, columns / (high - low + 1.0));
                 rise[first] += inRow;
                 rise[last + 1] -= inRow;
                 all += inRow * (last - first + 1);

@@ -71,13 +71,13 @@ class MapperTest {
     void randomLogsInBands() {
         OptionalLong noSeed = OptionalLong.empty();
         for (int height : new int[]{60, 5, 1}) {
-            double[] plain = Mapper.mapScenario(randomLog(height, 250),
+            double[] plain = Mapper.mapScenario(randomLog(height, 300),
                     noSeed).logOdds;
             assertTrue(Arrays.stream(plain).anyMatch(l -> l == -1.5));
             for (int threads : THREADS) {
                 assertArrayEquals(bits(plain),
                         bits(Mapper.mapScenarioInBands(
-                                randomLog(height, 250), noSeed,
+                                randomLog(height, 300), noSeed,
                                 threads).logOdds));
             }
         }
@@ -86,8 +86,8 @@ class MapperTest {
     /** An error comes out while the bands are at work on a batch. */
     @Test
     void errorsOfTheLogComeThrough() {
-        for (int after : new int[]{0, 200}) {
-            Scenario log = randomLog(60, 250);
+        for (int after : new int[]{0, 250}) {
+            Scenario log = randomLog(60, 600);
             Iterator<Observation> failing = new Iterator<>() {
                 private int left = after;
 
@@ -118,7 +118,8 @@ class MapperTest {
         for (int height : new int[]{1, 2, 7, 400}) {
             for (int count : THREADS) {
                 int row = 0;
-                for (Rows rows : Mapper.cutBands(beams, height, count)) {
+                for (Rows rows : Mapper.cutBands(List.of(beams), height,
+                        count)) {
                     assertEquals(row, rows.first());
                     assertTrue(rows.last() >= rows.first() - 1);
                     row = rows.last() + 1;
@@ -134,8 +135,10 @@ class MapperTest {
         Beam fan = new Beam(0, 10, 3, 13, true);
         List<Beam> beams = new ArrayList<>(
                 Collections.nCopies(40, fan));
-        assertEquals(11, Mapper.cutBands(beams, 100, 2).get(0).last());
+        assertEquals(11,
+                Mapper.cutBands(List.of(beams), 100, 2).get(0).last());
         beams.add(new Beam(0, 90, 1000, 90, true));
-        assertEquals(90, Mapper.cutBands(beams, 100, 2).get(0).last());
+        assertEquals(90,
+                Mapper.cutBands(List.of(beams), 100, 2).get(0).last());
     }
 }
