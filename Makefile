@@ -2,6 +2,7 @@
 #
 #   make all     sets up what is missing, builds every port, maps every scenario with all of them and compares
 #   make test    every test there is
+#   make bench   how fast the ports are, beside the lesson's programs and mapping libraries
 #
 # `make help` lists the rest. PYTHON=python3.12 makes .venv with that Python; JOBS=1 does one thing at a time.
 
@@ -10,7 +11,7 @@ SHELL := /bin/bash
 
 JOBS ?= 2
 PORTS := python cpp java matlab mathematica
-PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica
+PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica bench
 # These need the ports as they are built by then.
 LAST_PARTS := compare handouts
 ALL_PARTS := $(PARTS) $(LAST_PARTS)
@@ -24,7 +25,7 @@ export MAVEN_OPTS += -Dmaven.repo.local=$(CURDIR)/build/m2
 endif
 endif
 
-clang-format = find cpp/src cpp/tests -name "*.[ch]pp" -exec clang-format $1 {} +
+clang-format = find cpp/src cpp/tests bench -name "*.[ch]pp" -exec clang-format --style=file:cpp/.clang-format $1 {} +
 SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 MVN := mvn -B -ntp -Dstyle.color=never
 JDK := openjdk-17-jdk-headless
@@ -70,6 +71,13 @@ handouts: setup  ## The course handouts, a PDF and a page for each language, in 
 	$(BIN)/parity build --jobs $(JOBS) --allow-skipped
 	$(BIN)/python handouts/build.py --out build/handouts
 
+##@ Speed
+
+.PHONY: bench
+bench:  ## Measure; BENCH="--quick" in two minutes, BENCH="--help" for the rest. Figures, pictures: build/bench
+	@PYTHON="$(PYTHON)" scripts/setup bench
+	$(BIN)/python bench/run.py $(BENCH)
+
 ##@ Housekeeping
 
 .PHONY: format
@@ -91,7 +99,7 @@ lock:  ## Write constraints.txt anew, with the newest versions that fit
 .PHONY: clean
 clean:  ## Remove what was built; .venv stays
 	rm -rf build dist cpp/build* java/target .mypy_cache .pytest_cache .ruff_cache
-	find python compare handouts scripts -name __pycache__ -prune -exec rm -rf {} +
+	find python compare handouts bench scripts -name __pycache__ -prune -exec rm -rf {} +
 
 .PHONY: help
 help:  ## This list
@@ -106,7 +114,7 @@ help:  ## This list
 
 run-test-lint:
 	@scripts/part lint 'ruff mypy' 'ruff check .; ruff format --check .; \
-	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests),; mypy $(tests))'
+	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests bench/tests),; mypy $(tests))'
 
 run-test-python:
 	@scripts/part python 'pytest' 'pytest python/tests'
@@ -130,6 +138,9 @@ run-test-matlab-lint:
 
 run-test-mathematica:
 	@scripts/part mathematica '$(WOLFRAM)' 'parity build mathematica; $(WOLFRAM_RUN) mathematica/tests/run_tests.wls'
+
+run-test-bench:
+	@scripts/part bench 'pytest' 'pytest bench/tests'
 
 run-test-compare:
 	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest compare/'

@@ -14,7 +14,7 @@ from occgrid_bench.log_odds import Array, contract_map, differing
 from occgrid_bench.record import Series
 from occgrid_bench.work import Work
 
-TURN = 0.05  # seconds that a turn should take at least, by repeated maps
+TURN = 0.05  # seconds that a turn should take at least, by 3 to 50 maps
 SLOW = 3.0  # seconds of a map from which on a few rounds must do
 SLOW_ROUNDS = 3
 
@@ -32,6 +32,7 @@ class Effort:
     budget: (
         float  # seconds that a contestant may take in a round, more or less
     )
+    restart: bool  # a new process for each turn: some are luckier with their memory than others
     say: Callable[[str], None]
 
 
@@ -46,11 +47,11 @@ class _Player:
         while predicted / every > effort.budget and every < len(work.poses):
             every *= 2
         part = work.every(every)
-        slow = predicted / every > SLOW
+        self.slow = predicted / every > SLOW
         self.contestant = contestant
         self.work = part
         self.rounds = (
-            min(effort.rounds, SLOW_ROUNDS) if slow else effort.rounds
+            min(effort.rounds, SLOW_ROUNDS) if self.slow else effort.rounds
         )
         self.scale = len(work.poses) / len(part.poses)
         self.log_odds = WORK / f"{part.name}.{contestant.name}.logodds"
@@ -59,6 +60,7 @@ class _Player:
             "log_odds": str(self.log_odds),
         }
         self.command = [word.format(**files) for word in contestant.command]
+        self.restart = effort.restart or contestant.fresh
         self.driver: Driver | None = None
         self.times = 1
         self.series = Series(
@@ -70,31 +72,41 @@ class _Player:
         )
 
     def start(self, stack: ExitStack) -> None:
-        """Start the process and let it warm up."""
-        if self.contestant.fresh or self.contestant.one_shot:
+        """Start a process for all turns and let it warm up."""
+        if not self.restart and not self.contestant.one_shot:
+            driver = Driver(self.command, ENVIRONMENT)
+            self.driver = stack.enter_context(driver)
+            self._warm_up(driver)
+
+    def _warm_up(self, driver: Driver) -> None:
+        if self.contestant.fresh or self.slow:
             return
-        self.driver = stack.enter_context(Driver(self.command, ENVIRONMENT))
-        taken = self.driver.map(1)
+        taken = driver.map(1)
         while sum(taken) < self.contestant.warm_up:
-            taken += self.driver.map(1)
-        self.times = min(max(round(TURN / taken[-1]), 1), 50)
+            taken += driver.map(1)
+        self.times = min(max(round(TURN / taken[-1]), 3), 50)
 
     def turn(self) -> None:
-        """One round's value: the least of some maps, as what disturbs them only adds."""
+        """One round's value: the least of its maps, as what disturbs them only adds."""
         if self.contestant.one_shot:
             value = run_once(self.command, ENVIRONMENT)
         elif self.driver is None:
             with Driver(self.command, ENVIRONMENT) as driver:
-                value = driver.map(1)[0]
-                driver.write(self.log_odds)
+                self._warm_up(driver)
+                value = min(driver.map(self.times))
+                self._write(driver)
         else:
             value = min(self.driver.map(self.times))
         self.series.seconds.append(value * self.scale)
 
+    def _write(self, driver: Driver) -> None:
+        if self.contestant.check != "none":
+            driver.write(self.log_odds)
+
     def write(self) -> None:
         """Write the last map."""
-        if self.driver is not None and self.contestant.check != "none":
-            self.driver.write(self.log_odds)
+        if self.driver is not None:
+            self._write(self.driver)
 
 
 def compare(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from statistics import median
 
+from occgrid_bench.contestants import REFERENCE
 from occgrid_bench.record import Part, Series
 from occgrid_bench.statistics import ratio
 
@@ -18,6 +20,7 @@ class Goal:
     value: float
     bound: float
     at_least: bool
+    command: str  # measures it anew
 
     @property
     def met(self) -> bool:
@@ -29,93 +32,103 @@ class Goal:
 def goals(parts: Mapping[str, Part]) -> list[Goal]:
     """The goals that the parts say something about."""
     found = []
-    for name, title in (
-        ("lesson", "lesson grid"),
-        ("open", "grid that holds every beam"),
-        ("log", "real log"),
-    ):
-        if name in parts:
-            found += _mapping_goals(parts[name], title)
+    if "lesson" in parts:
+        found += _lesson_goals(parts["lesson"])
+    if "open" in parts:
+        part = parts["open"]
+        text = "C++ on a grid that holds every beam: times as fast as MRPT"
+        found += _speeds(part, [(text, "cpp", "mrpt", 1.0)])
     if "commands" in parts:
-        woxi = parts["commands"].find("mathematica")
+        part = parts["commands"]
+        woxi = part.find("mathematica")
         if woxi is not None:
-            text = "Wolfram on woxi, the whole lesson, seconds"
-            found.append(Goal(text, woxi.median, 20.0, at_least=False))
+            text = "Wolfram on woxi: seconds for the lesson, all included"
+            found.append(Goal(text, woxi.median, 20.0, False, part.command))
     if "threads" in parts:
-        found += _thread_goals(parts["threads"])
+        part = parts["threads"]
+        for name, title in (("cpp", "C++"), ("java", "Java")):
+            text = f"{title}, two threads: times as fast as one"
+            found += _speeds(part, [(text, f"{name}-2", f"{name}-1", 1.6)])
     if "long" in parts:
         found += _memory_goals(parts["long"])
     return found
 
 
-def _times(one: Series | None, other: Series | None) -> float | None:
-    """How many times the other's time is of one's."""
-    if one is None or other is None:
-        return None
-    return ratio(other.seconds, one.seconds)
-
-
-def _mapping_goals(part: Part, where: str) -> list[Goal]:
+def _lesson_goals(part: Part) -> list[Goal]:
+    quicker = min(
+        ("octomap", "octomap-rays"),
+        key=lambda name: s.median if (s := part.find(name)) else math.inf,
+    )
+    found = _speeds(
+        part,
+        [
+            ("C++: times as fast as the lesson's C++", "cpp", REFERENCE, 6.0),
+            ("C++: times as fast as MRPT", "cpp", "mrpt", 1.0),
+            (
+                "Java, warm: times as fast as the lesson's Java",
+                "java",
+                "lesson-java",
+                4.0,
+            ),
+            (
+                "NumPy, whole log: times as fast as the lesson's Python",
+                "python",
+                "lesson-python",
+                15.0,
+            ),
+            (
+                "NumPy, per scan: times as fast as the lesson's Python",
+                "python-scan",
+                "lesson-python",
+                4.5,
+            ),
+            (
+                "NumPy, whole log: times as fast as OctoMap in C++",
+                "python",
+                quicker,
+                1.0,
+            ),
+            (
+                "Octave, whole log: times as fast as the lesson's Octave",
+                "octave",
+                "lesson-octave",
+                75.0,
+            ),
+        ],
+    )
+    over_cpp = _times(part.find("cpp"), part.find("java"))
+    if over_cpp is not None:
+        text = "Java, warm: time over the C++ port's"
+        found.append(Goal(text, over_cpp, 1.5, False, part.command))
     cpp = part.find("cpp")
-    java = part.find("java")
-    octomap = [
-        s for s in map(part.find, ("octomap", "octomap-rays")) if s is not None
-    ]
-    quickest = min(octomap, key=lambda s: s.median, default=None)
-    python, lesson_python = part.find("python"), part.find("lesson-python")
-    pairs = [
-        ("C++: times the lesson's C++", cpp, part.find("lesson-cpp"), 6.0),
-        ("C++: times MRPT", cpp, part.find("mrpt"), 1.0),
-        (
-            "Java, warm: times the lesson's",
-            java,
-            part.find("lesson-java"),
-            4.0,
-        ),
-        ("NumPy, whole log: times the lesson's", python, lesson_python, 15.0),
-        ("NumPy, whole log: times the quicker OctoMap", python, quickest, 1.0),
-        (
-            "NumPy, per scan: times the lesson's",
-            part.find("python-scan"),
-            lesson_python,
-            4.5,
-        ),
-        (
-            "Octave, whole log: times the lesson's",
-            part.find("octave"),
-            part.find("lesson-octave"),
-            75.0,
-        ),
-    ]
-    found = []
-    for text, one, other, bound in pairs:
-        value = _times(one, other)
-        if value is not None:
-            found.append(Goal(f"{text}; {where}", value, bound, at_least=True))
-    over_java = _times(cpp, java)
-    if over_java is not None:
-        text = f"Java, warm: time over the C++ port's; {where}"
-        found.append(Goal(text, over_java, 1.5, at_least=False))
     updates, ends = part.find("floor-list"), part.find("floor-ends")
     if cpp and updates and ends:
         both = [
             a + b for a, b in zip(updates.seconds, ends.seconds, strict=True)
         ]
-        text = f"C++: time over the floor's; {where}"
+        text = "C++: time over the floor's"
         over_floor = ratio(cpp.seconds, both)
-        found.append(Goal(text, over_floor, 1.5, at_least=False))
+        found.append(Goal(text, over_floor, 1.5, False, part.command))
     return found
 
 
-def _thread_goals(part: Part) -> list[Goal]:
+def _speeds(
+    part: Part, pairs: Sequence[tuple[str, str, str, float]]
+) -> list[Goal]:
+    """Goals from text, a contestant, the one that it is held against, and how many times as fast it has to be."""
     found = []
-    for name in ("cpp", "cpp-command", "java", "java-command"):
-        one, two = part.find(f"{name}-1"), part.find(f"{name}-2")
-        if one and two:
-            text = f"{two.title}: times one thread"
-            value = ratio(one.seconds, two.seconds)
-            found.append(Goal(text, value, 1.6, at_least=True))
+    for text, name, other, bound in pairs:
+        value = _times(part.find(name), part.find(other))
+        if value is not None:
+            found.append(Goal(text, value, bound, True, part.command))
     return found
+
+
+def _times(one: Series | None, other: Series | None) -> float | None:
+    """How many times one's time the other takes."""
+    if one is None or other is None:
+        return None
+    return ratio(other.seconds, one.seconds)
 
 
 def _memory_goals(part: Part) -> list[Goal]:
@@ -128,4 +141,4 @@ def _memory_goals(part: Part) -> list[Goal]:
         b / a for a, b in zip(peaks[fewest], peaks[most], strict=True)
     )
     text = f"C++: peak memory at {most:,.0f} scans over that at {fewest:,.0f}"
-    return [Goal(text, growth, 1.1, at_least=False)]
+    return [Goal(text, growth, 1.1, False, part.command)]

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 
 from occgrid_bench.contestants import CONTESTANTS, REFERENCE
 from occgrid_bench.goals import goals
-from occgrid_bench.record import Part, Series
+from occgrid_bench.record import Part
 from occgrid_bench.statistics import ratio
-from occgrid_bench.tables import duration, times
+from occgrid_bench.tables import times
 
 WORKS = {
     "lesson": "lesson grid",
@@ -18,12 +18,8 @@ WORKS = {
 
 
 def markdown(parts: Mapping[str, Part]) -> str:
-    """All that the parts say."""
-    lines = [*_machine(parts), *_comparison(parts)]
-    for name in ("commands", "threads", "long"):
-        if name in parts:
-            lines += _plain(parts[name])
-    lines += _goals(parts)
+    """What was measured, for the README."""
+    lines = [*_machine(parts), *_comparison(parts), *_goals(parts)]
     return "\n".join(lines) + "\n"
 
 
@@ -46,74 +42,40 @@ def _comparison(parts: Mapping[str, Part]) -> Iterator[str]:
     works = {n: parts[n] for n in WORKS if n in parts}
     if not works:
         return
-    yield "Time as a multiple of the lesson's C++ on the same work (median; median absolute deviation):"
+    yield "Time of mapping as a multiple of the lesson's C++, same poses and ranges, one thread:"
     yield ""
-    yield (
-        "| | "
-        + " | ".join(WORKS[name] for name in works)
-        + " | cells that differ |"
-    )
-    yield "|---|" + "---:|" * (len(works) + 1)
+    yield f"| | {' | '.join(WORKS[name] for name in works)} |"
+    yield "|---|" + "---:|" * len(works)
     for contestant in CONTESTANTS:
         cells = [_cell(part, contestant.name) for part in works.values()]
         if any(cells):
-            differ = [_differing(p, contestant.name) for p in works.values()]
-            differing = next(filter(None, differ), "")
-            row = [contestant.title, *cells, differing]
-            yield f"| {' | '.join(row)} |"
+            yield f"| {' | '.join([contestant.title, *cells])} |"
     yield ""
     for name, part in works.items():
-        rounds = f"{part.rounds} rounds"
         load = f"load {part.load_before:.1f} to {part.load_after:.1f}"
-        yield f"- {WORKS[name]}: {part.title}; {rounds}, {load}: `{part.command}`"
+        yield (
+            f"- {WORKS[name]}: {part.title}; median of {part.rounds} rounds, {load}: `{part.command}`"
+        )
     yield ""
 
 
 def _cell(part: Part, name: str) -> str:
     series, reference = part.find(name), part.find(REFERENCE)
     if series is None or reference is None:
-        skipped = next((s for s in part.series if s.name == name), None)
-        if skipped is None or not skipped.skipped:
-            return ""
-        return f"not measured: {skipped.skipped.splitlines()[0]}"
-    mark = "~" if series.every > 1 else ""
-    return f"**{mark}{times(ratio(series.seconds, reference.seconds))}** {_spread(series)}"
-
-
-def _spread(series: Series) -> str:
-    return f"({duration(series.median)} ± {duration(series.spread)})"
-
-
-def _differing(part: Part, name: str) -> str:
-    series = part.find(name)
-    if series is None or series.differing is None or part.name != "lesson":
         return ""
-    return str(series.differing)
-
-
-def _plain(part: Part) -> Iterator[str]:
-    yield f"{part.title[0].upper()}{part.title[1:]} (`{part.command}`):"
-    yield ""
-    with_peak = any("peak_mib" in s.extra for s in part.series)
-    yield "| | median |" + (" peak memory |" if with_peak else "")
-    yield "|---|---:|" + ("---:|" if with_peak else "")
-    for series in part.series:
-        if not series.seconds:
-            continue
-        row = f"| {series.title} | {duration(series.median)} ± {duration(series.spread)} |"
-        if with_peak:
-            row += f" {series.extra['peak_mib']:.1f} MiB |"
-        yield row
-    yield ""
+    mark = "~" if series.every > 1 else ""
+    return mark + times(ratio(series.seconds, reference.seconds))
 
 
 def _goals(parts: Mapping[str, Part]) -> Iterator[str]:
     found = goals(parts)
     if not found:
         return
-    yield "| goal | | measured | |"
-    yield "|---|---|---:|---|"
+    yield "| goal | | measured | | again with |"
+    yield "|---|---|---:|---|---|"
     for goal in found:
         sign = "at least" if goal.at_least else "at most"
         said = "met" if goal.met else "**missed**"
-        yield f"| {goal.text} | {sign} {goal.bound:g} | {goal.value:.2f} | {said} |"
+        yield (
+            f"| {goal.text} | {sign} {goal.bound:g} | {goal.value:.3g} | {said} | `{goal.command}` |"
+        )

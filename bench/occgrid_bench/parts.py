@@ -45,7 +45,8 @@ class Options:
     def effort(self, quick: int, full: int) -> Effort:
         """So many rounds, if no number was given."""
         rounds = self.rounds or (quick if self.quick else full)
-        return Effort(rounds, 1.0 if self.quick else 40.0, self.say)
+        budget = 1.0 if self.quick else 40.0
+        return Effort(rounds, budget, not self.quick, self.say)
 
     def contestants(self) -> list[Contestant]:
         """Those who were asked for; the lesson's C++ always."""
@@ -58,11 +59,11 @@ class Options:
 
 
 def lesson(options: Options) -> Part:
-    return _comparison(lesson_work(), options, 5, 11)
+    return _comparison(lesson_work(), options, 3, 11)
 
 
 def open_lesson(options: Options) -> Part:
-    return _comparison(open_lesson_work(), options, 5, 11)
+    return _comparison(open_lesson_work(), options, 3, 11)
 
 
 def real_log(options: Options) -> Part | None:
@@ -71,7 +72,7 @@ def real_log(options: Options) -> Part | None:
     if work is None:
         options.say("log: no folder with logs (OCCGRID_DATA): not measured")
         return None
-    return _comparison(work, options, 3, 7)
+    return _comparison(work, options, 2, 7)
 
 
 def find_log_work(options: Options) -> Work | None:
@@ -143,7 +144,7 @@ def commands(options: Options) -> Part:
 def threads(options: Options) -> Part:
     """One thread and several, on a large log."""
     effort = options.effort(3, 9)
-    work = find_log_work(options) or growth.scans(8 if options.quick else 64)
+    work = growth.scans(16 if options.quick else 64)
     part = Part(
         "threads",
         f"threads, {work.title}",

@@ -11,7 +11,7 @@ from occgrid_bench.folders import WORK
 from occgrid_bench.record import Series
 from occgrid_bench.work import Work
 
-COUNTS = [1, 2, 3]
+COUNTS = [1, 2]
 
 
 def measure_threads(work: Work, effort: Effort) -> list[Series]:
