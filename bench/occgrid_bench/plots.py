@@ -11,6 +11,8 @@ matplotlib.use("Agg")
 
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.patches import Patch
+from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
 from occgrid_bench.contestants import CONTESTANTS, REFERENCE
 from occgrid_bench.record import Part, Series
@@ -23,6 +25,14 @@ COLOURS = {
     "floor": "#7a9e3a",
     "peer": "#c8803a",
 }
+GROUPS = {
+    "port": "port of this suite",
+    "lesson": "the lesson's algorithm, written plainly",
+    "floor": "what no port can do without",
+    "peer": "another mapping library",
+}
+WHITE = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}
+PLAIN = FuncFormatter(lambda value, _: f"{value:,g}")
 LABELS = {
     "scans": "scans, as a multiple of the lesson's 120",
     "beams": "beams of a scan",
@@ -65,14 +75,18 @@ def _draw_comparison(works: list[Part], path: Path) -> Path:
                 continue
             value = ratio(series.seconds, reference.seconds)
             axis.barh(row, value, color=COLOURS[contestant.group])
-            axis.text(value * 1.1, row, times(value), va="center", fontsize=8)
+            label = axis.text(value * 1.1, row, times(value), va="center")
+            label.set(fontsize=8, bbox=WHITE)
         axis.set_xscale("log")
+        axis.xaxis.set_major_formatter(PLAIN)
         axis.margins(x=0.2)
-        axis.axvline(1.0, color="black", linewidth=0.7)
+        axis.axvline(1.0, color="black", linewidth=0.7, zorder=0)
         axis.set_title(work.title.split(":")[0], fontsize=10)
-        axis.set_xlabel("time / lesson's C++")
+        axis.set_xlabel("time, lesson's C++ = 1")
     axes[0][0].set_yticks(range(len(names)), [c.title for c in names])
     axes[0][0].invert_yaxis()
+    patches = [Patch(color=COLOURS[g], label=t) for g, t in GROUPS.items()]
+    figure.legend(handles=patches, loc="outside lower center", ncols=4)
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return path
@@ -89,6 +103,7 @@ def _draw_growth(part: Part, path: Path) -> Path:
         2,
         len(groups),
         figsize=(4 * len(groups), 7.5),
+        sharey="row",
         squeeze=False,
         layout="constrained",
     )
@@ -102,16 +117,24 @@ def _draw_growth(part: Part, path: Path) -> Path:
             peaks = [s.extra["peak_mib"] for s in known]
             below.plot([s.extra["value"] for s in known], peaks, "o-")
         _draw_slope(above, list(ports.values()))
-        above.set_ylabel("mapping (s)")
-        below.set_ylabel("peak memory of the command (MiB)")
+        measured = sorted(
+            {s.extra["value"] for p in ports.values() for s in p}
+        )
         below.set_xlabel(LABELS[axis])
         for one in (above, below):
             one.set_xscale("log")
             one.set_yscale("log")
+            one.set_xticks(measured, [f"{value:g}" for value in measured])
+            one.xaxis.set_minor_locator(NullLocator())
+            one.yaxis.set_major_formatter(PLAIN)
+            one.yaxis.set_minor_formatter(NullFormatter())
             one.grid(alpha=0.3)
             if axis == "resolution":
                 one.invert_xaxis()
-    axes[0][0].legend(fontsize=8)
+    axes[0][0].set_ylabel("mapping (s)")
+    axes[1][0].set_ylabel("peak memory of the command (MiB)")
+    lines, labels = axes[0][0].get_legend_handles_labels()
+    figure.legend(lines, labels, loc="outside upper center", ncols=len(labels))
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return path
