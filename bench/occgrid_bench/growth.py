@@ -20,7 +20,7 @@ PATIENCE = {
     "java": 60.0,
     "python": 30.0,
     "octave": 12.0,
-    "woxi": 12.0,
+    "woxi": 6.0,
 }
 QUICK_PATIENCE = {"cpp": 2.0, "java": 2.0, "python": 1.0, "octave": 0.6}
 FOLDERS = {"octave": "matlab", "woxi": "mathematica"}
@@ -73,7 +73,7 @@ def grid(times: float) -> Work:
 
 
 AXES: dict[str, tuple[Callable[[float], Work], list[float], list[float]]] = {
-    "scans": (scans, [1, 2, 4, 8, 16, 32, 64], [1, 4]),
+    "scans": (scans, [0.25, 0.5, 1, 2, 4, 8, 16, 32, 64], [1, 4]),
     "beams": (beams, [46, 91, 181, 361, 721, 1441, 2881], [91, 361]),
     "resolution": (resolution, [0.2, 0.1, 0.05, 0.04, 0.02], [0.2, 0.05]),
     "grid": (grid, [1, 2, 4, 8, 16], [1, 4]),

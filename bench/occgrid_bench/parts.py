@@ -45,7 +45,7 @@ class Options:
     def effort(self, quick: int, full: int) -> Effort:
         """So many rounds, if no number was given."""
         rounds = self.rounds or (quick if self.quick else full)
-        budget = 1.0 if self.quick else 40.0
+        budget = 1.0 if self.quick else 20.0
         return Effort(rounds, budget, not self.quick, self.say)
 
     def contestants(self) -> list[Contestant]:
@@ -158,7 +158,7 @@ def threads(options: Options) -> Part:
 
 def growth_part(options: Options) -> Part:
     """Time and memory against scans, beams, resolution and grid."""
-    effort = options.effort(1, 5)
+    effort = options.effort(1, 3)
     part = Part(
         "growth",
         "growth of time and memory",

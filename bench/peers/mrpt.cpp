@@ -9,6 +9,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPose3D.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "driver.hpp"
@@ -29,10 +30,11 @@ int main(int, char** argv) {
         mrpt::poses::CPose3D(0, 0, 0, (first + last) / 2.0, 0, 0);
     observation.resizeScan(scan.ranges.size());
     for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-      const bool hit = scan.ranges[i] < work.max_range - 1e-12;
+      // A beam without return is one of the greatest distance: MRPT frees it
+      // and sets nothing occupied. Marked as invalid, it is freed in part.
       observation.setScanRange(
-          i, static_cast<float>(hit ? scan.ranges[i] : work.max_range));
-      observation.setScanRangeValidity(i, hit);
+          i, static_cast<float>(std::min(scan.ranges[i], work.max_range)));
+      observation.setScanRangeValidity(i, true);
     }
     scans.push_back(observation);
     poses.emplace_back(scan.x, scan.y, 0, scan.theta, 0, 0);
@@ -53,7 +55,6 @@ int main(int, char** argv) {
         options.maxDistanceInsertion = static_cast<float>(work.max_range);
         options.maxOccupancyUpdateCertainty = 0.75f;
         options.maxFreenessUpdateCertainty = 0.70f;
-        options.considerInvalidRangesAsFreeSpace = true;
         options.wideningBeamsWithDistance = false;
         options.decimation = 1;
         for (std::size_t i = 0; i < scans.size(); ++i) {
