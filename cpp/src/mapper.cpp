@@ -115,8 +115,8 @@ std::vector<Rows> cut_bands(const std::vector<std::vector<Beam>>& beams,
   std::vector<double> rise(static_cast<std::size_t>(height) + 1, 0.0);
   double all = 0.0;
   for (const std::vector<Beam>& some : beams) {
-    // some thousand beams say enough
-    const std::size_t step = 1 + some.size() / 4096;
+    // a thousand of them say enough
+    const std::size_t step = 1 + some.size() / 1024;
     for (std::size_t i = 0; i < some.size(); i += step) {
       const Beam& beam = some[i];
       const auto [low, high] = std::minmax(beam.robot.gy, beam.end.gy);

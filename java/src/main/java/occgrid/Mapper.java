@@ -182,8 +182,8 @@ public final class Mapper {
         double[] rise = new double[height + 1];
         double all = 0.0;
         for (List<Beam> some : beams) {
-            // some thousand beams say enough
-            int step = 1 + some.size() / 4096;
+            // a thousand of them say enough
+            int step = 1 + some.size() / 1024;
             for (int i = 0; i < some.size(); i += step) {
                 Beam beam = some.get(i);
                 int low = Math.min(beam.gy0(), beam.gy1());
