@@ -191,8 +191,8 @@ def _differences(axes: Axes, probability: Array, story: Story) -> None:
     settings = lesson_settings()
     bits = story.bits_differ & ~story.seen_to_differ
     for cells, color, marker, label in (
-        (bits, BLUE, ".", "in bits that the picture hides"),
-        (story.seen_to_differ, ORANGE, "s", "in the picture"),
+        (bits, BLUE, ".", "in bits, not visibly"),
+        (story.seen_to_differ, ORANGE, "s", "visibly"),
     ):
         gy, gx = np.nonzero(cells)
         axes.plot(
