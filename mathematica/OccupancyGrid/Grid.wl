@@ -26,8 +26,9 @@ InBounds::usage = "InBounds[grid, gx, gy] is 1 where a cell lies in the \
 grid, else 0; gx and gy are numbers or lists.";
 UpdateCell::usage = "UpdateCell[grid, gx, gy, lUpdate] adds the evidence \
 lUpdate - l0 to one cell and clamps it. A cell outside the grid is skipped.";
-UpdateCells::usage = "UpdateCells[grid, cells, lUpdate] is UpdateCell for a \
-list of cells in the grid, given as gy*width + gx + 1, in order.";
+UpdateCells::usage = "UpdateCells[grid, beams] is UpdateCell for the cells of \
+beams in order, each {free cells, occupied cells}: lists of cells in the grid, \
+given as gy*width + gx + 1.";
 ProbabilityGrid::usage = "ProbabilityGrid[grid] is P(occupied) of every \
 cell, height lists of width numbers.";
 Clamp::usage = "Clamp[x, low, high] is x, or the limit that it passes.";
@@ -73,7 +74,8 @@ NewGrid[spec_, p0_, pOcc_, pFree_, lMin_, lMax_] := Module[{l0 = Logit[p0]},
     "lMin" -> lMin,
     "lMax" -> lMax|>]];
 
-LogOdds[grid_] := Partition[logOdds, grid["width"]];
+LogOdds[grid_] := With[{low = grid["lMin"], high = grid["lMax"]},
+  Partition[Map[Clamp[#, low, high] &, logOdds], grid["width"]]];
 
 (* [snippet: world-to-grid] *)
 WorldToGrid[grid_, x_, y_] := {
@@ -94,28 +96,26 @@ UpdateCell[grid_, gx_, gy_, lUpdate_] := If[InBounds[grid, gx, gy] == 1,
   With[{
       cell = ((gy*grid["width"]) + gx) + 1,
       delta = lUpdate - grid["l0"]},
-    logOdds[[cell]] =
-      Clamp[logOdds[[cell]] + delta, grid["lMin"], grid["lMax"]]]];
+    (* the first clamp is for UpdateCells, which leaves it to others *)
+    logOdds[[cell]] = Clamp[
+      Clamp[logOdds[[cell]], grid["lMin"], grid["lMax"]] + delta,
+      grid["lMin"], grid["lMax"]]]];
 (* [/snippet] *)
 
-(* A cell is within its limits before, so a step down can only pass the lower
-   one; and a cell that is there already stays, which most cells do before
-   long. *)
-UpdateCells[grid_, cells_List, lUpdate_] := With[{
-    delta = lUpdate - grid["l0"], low = grid["lMin"], high = grid["lMax"]},
-  If[delta < 0,
-    Do[
-      If[logOdds[[cell]] - low > 0,
-        logOdds[[cell]] = If[(logOdds[[cell]] + delta) - low < 0,
-          low,
-          logOdds[[cell]] + delta]],
-      {cell, cells}],
-    Do[
-      If[logOdds[[cell]] - high < 0,
-        logOdds[[cell]] = If[(logOdds[[cell]] + delta) - high > 0,
-          high,
-          logOdds[[cell]] + delta]],
-      {cell, cells}]]];
+(* The clamp of a free cell waits until the cell is hit or looked at: free
+   steps have one sign, so that a cell that has passed its limit stays beyond
+   it, and one that has not is the same either way. *)
+UpdateCells[grid_, beams_List] := With[{
+    free = grid["lFree"] - grid["l0"], occupied = grid["lOcc"] - grid["l0"],
+    low = grid["lMin"], high = grid["lMax"]},
+  Scan[
+    Function[beam,
+      Do[logOdds[[cell]] = logOdds[[cell]] + free, {cell, First[beam]}];
+      Do[
+        logOdds[[cell]] = Clamp[
+          Clamp[logOdds[[cell]], low, high] + occupied, low, high],
+        {cell, Last[beam]}]],
+    beams]];
 
 (* [snippet: probability-grid] *)
 ProbabilityGrid[grid_] := Map[Sigmoid, LogOdds[grid]];

@@ -22,9 +22,9 @@ Philox4x32[counter_List, key_List] := Module[
   Do[
     {high0, low0} = multiplied[16^^D251, 16^^1F53, c0];
     {high1, low1} = multiplied[16^^CD9E, 16^^8D57, c2];
-    c0 = BitXor[BitXor[high1, c1], k0];
+    c0 = BitXor[high1, c1, k0];
     c1 = low1;
-    c2 = BitXor[BitXor[high0, c3], k1];
+    c2 = BitXor[high0, c3, k1];
     c3 = low0;
     k0 = Mod[k0 + 16^^9E3779B9, 2^32];
     k1 = Mod[k1 + 16^^BB67AE85, 2^32],
@@ -33,11 +33,13 @@ Philox4x32[counter_List, key_List] := Module[
 
 (* upper and lower word of (2^16 mHigh + mLow) c, in halves: no number here
    reaches 2^53, up to which lists of whole numbers are exact everywhere *)
-multiplied[mHigh_, mLow_, c_] := Module[{upper, lower},
+multiplied[mHigh_, mLow_, c_] := Module[{lower, carry, upper, high},
   lower = mLow*c;
-  upper = (mHigh*c) + Quotient[lower, 65536];
-  {Quotient[upper, 65536],
-    (65536*Mod[upper, 65536]) + Mod[lower, 65536]}];
+  carry = Quotient[lower, 65536];
+  upper = (mHigh*c) + carry;
+  high = Quotient[upper, 65536];
+  {high,
+    (65536*(upper - (65536*high))) + (lower - (65536*carry))}];
 (* [/snippet] *)
 
 (* [snippet: normal-deviate] *)

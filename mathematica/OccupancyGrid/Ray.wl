@@ -18,20 +18,19 @@ Begin["`Private`"];
 Bresenham[gx0_, gy0_, gx1_, gy1_] := Bresenham[gx0, gy0, gx1, gy1,
   {0, Max[Abs[gx1 - gx0], Abs[gy1 - gy0]]}];
 
-Bresenham[gx0_, gy0_, gx1_, gy1_, {first_, last_}] := Module[
-  {dx, dy, sx, sy, a, b, k, minor},
-  dx = Abs[gx1 - gx0];
-  dy = Abs[gy1 - gy0];
-  sx = If[gx0 < gx1, 1, -1];
-  sy = If[gy0 < gy1, 1, -1];
-  (* a line of one cell has step 0 only *)
-  a = Max[dx, dy, 1];
-  b = Min[dx, dy];
-  k = Range[first, last];
-  minor = Quotient[((2*b)*k) + (a - 1), 2*a];
-  If[dx >= dy,
-    {gx0 + (sx*k), gy0 + (sy*minor)},
-    {gx0 + (sx*minor), gy0 + (sy*k)}]];
+Bresenham[gx0_, gy0_, gx1_, gy1_, {first_, last_}] := With[{
+    dx = Abs[gx1 - gx0],
+    dy = Abs[gy1 - gy0],
+    sx = If[gx0 < gx1, 1, -1],
+    sy = If[gy0 < gy1, 1, -1],
+    k = Range[first, last]},
+  With[{minor = minorSteps[k, Max[dx, dy, 1], Min[dx, dy]]},
+    If[dx >= dy,
+      {gx0 + (sx*k), gy0 + (sy*minor)},
+      {gx0 + (sx*minor), gy0 + (sy*k)}]]];
+
+(* a line of one cell has step 0 only, and a = 1 here *)
+minorSteps[k_, a_, b_] := Quotient[((2*b)*k) + (a - 1), 2*a];
 (* [/snippet] *)
 
 (* [snippet: clip-ray] *)

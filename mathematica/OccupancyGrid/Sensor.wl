@@ -64,31 +64,22 @@ UpdateGridFromScan[grid_, {pose_, angles_, ranges_}, zMax_, noReturn_] :=
       BeamEndpoints[pose, angles, z]];
     startInside = InBounds[grid, gx0, gy0];
     inside = InBounds[grid, gx1, gy1];
-    Do[
-      If[used[[i]] == 1,
-        cells = If[startInside*inside[[i]] == 1,
-          wholeLine[gx0, gy0, gx1[[i]], gy1[[i]], grid["width"]],
-          clippedLine[gx0, gy0, gx1[[i]], gy1[[i]],
-            grid["width"], grid["height"]]];
-        (* every cell is free, but a hit's last is occupied *)
-        If[hit[[i]]*inside[[i]] == 1,
-          UpdateCells[grid, Most[cells], grid["lFree"]];
-          UpdateCells[grid, {Last[cells]}, grid["lOcc"]],
-          UpdateCells[grid, cells, grid["lFree"]]]],
-      {i, Length[ranges]}]];
+    UpdateCells[grid, Table[
+      cells = If[startInside*inside[[i]] == 1,
+        wholeLine[gx0, gy0, gx1[[i]], gy1[[i]], grid["width"]],
+        clippedLine[gx0, gy0, gx1[[i]], gy1[[i]],
+          grid["width"], grid["height"]]];
+      (* every cell is free, but a hit's last is occupied *)
+      If[hit[[i]]*inside[[i]] == 1,
+        {Most[cells], {Last[cells]}},
+        {cells, {}}],
+      {i, Pick[Range[Length[ranges]], used, 1]}]]];
 (* [/snippet] *)
 
 (* The cells of a line, as UpdateCells wants them; those that lie in the grid,
    where it leaves it. These are Bresenham and ClipRay, with a memory. *)
-wholeLine[gx0_, gy0_, gx1_, gy1_, width_] := With[{
-    a = Max[Abs[gx1 - gx0], Abs[gy1 - gy0]],
-    b = Min[Abs[gx1 - gx0], Abs[gy1 - gy0]],
-    start = ((width*gy0) + gx0) + 1,
-    stepX = If[gx0 < gx1, 1, -1],
-    stepY = If[gy0 < gy1, width, -width]},
-  If[a == Abs[gx1 - gx0],
-    start + ((stepX*Range[0, a]) + (stepY*minorSteps[a, b])),
-    start + ((stepX*minorSteps[a, b]) + (stepY*Range[0, a]))]];
+wholeLine[gx0_, gy0_, gx1_, gy1_, width_] :=
+  (((width*gy0) + gx0) + 1) + lineFromOrigin[gx1 - gx0, gy1 - gy0, width];
 
 clippedLine[gx0_, gy0_, gx1_, gy1_, width_, height_] := With[
   {steps = ClipRay[gx0, gy0, gx1, gy1, width, height]},
@@ -101,18 +92,20 @@ clippedLine[gx0_, gy0_, gx1_, gy1_, width_, height_] := With[
       Apply[((width*#2) + #1) + 1 &,
         Bresenham[gx0, gy0, gx1, gy1, steps]]]];
 
-(* Lines with the same extents come again and again: their steps along the
-   shorter axis are remembered, up to a number that any memory holds. *)
-minorSteps[a_, b_] := With[{known = minorMemory[a, b]},
-  If[ListQ[known], known, rememberSteps[a, b]]];
+(* Lines with the same extents come again and again: their cells, as numbers to
+   be added to the first one's, are remembered, up to a number that any memory
+   holds. *)
+rememberLine[dx_, dy_, width_] := With[{
+    line = Apply[(width*#2) + #1 &, Bresenham[0, 0, dx, dy]]},
+  rememberedCells = rememberedCells + Length[line];
+  If[rememberedCells > 2000000, forgetLines[]];
+  lineFromOrigin[dx, dy, width] = line];
 
-rememberedSteps = 0;
-rememberSteps[a_, b_] := (
-  rememberedSteps = rememberedSteps + (a + 1);
-  If[rememberedSteps > 2000000,
-    Clear[minorMemory];
-    rememberedSteps = a + 1];
-  minorMemory[a, b] = Last[Bresenham[0, 0, a, b]]);
+forgetLines[] := (
+  rememberedCells = 0;
+  Clear[lineFromOrigin];
+  lineFromOrigin[dx_, dy_, width_] := rememberLine[dx, dy, width]);
+forgetLines[];
 
 End[];
 EndPackage[];

@@ -32,15 +32,18 @@ AddHorizontalWall[y_, x0_, x1_] := Segment[x0, y, x1, y];
 
 (* [snippet: ray-segment-intersection] *)
 RaySegmentIntersection[rx_, ry_, rdx_List, rdy_List,
-    Segment[x0_, y0_, x1_, y1_]] := Module[{rxs, parallel, t, u, meets},
+    Segment[x0_, y0_, x1_, y1_]] := Module[{rxs, tTop, t, uTop},
   With[{sx = x1 - x0, sy = y1 - y0, qpx = x0 - rx, qpy = y0 - ry},
     rxs = (rdx*sy) - (rdy*sx);
-    parallel = 1 - UnitStep[Abs[rxs] - 1.*^-12];
-    rxs = ((1 - parallel)*rxs) + parallel;
-    t = DivideEach[(qpx*sy) - (qpy*sx), rxs];
-    u = DivideEach[(qpx*rdy) - (qpy*rdx), rxs]];
-  meets = ((1 - parallel)*UnitStep[t])*(UnitStep[u]*UnitStep[1. - u]);
-  MapThread[If[#1 == 1, #2, Infinity] &, {meets, t}]];
+    tTop = (qpx*sy) - (qpy*sx);
+    (* a ray that is parallel meets a wall as little as one behind it *)
+    t = Map[If[Abs[#] - 1.*^-12 < 0, -1., Divide[tTop, #]] &, rxs];
+    uTop = (qpx*rdy) - (qpy*rdx)];
+  MapThread[
+    If[#1 < 0 || outsideUnit[Divide[#2, #3]], Infinity, #1] &,
+    {t, uTop, rxs}]];
+
+outsideUnit[u_] := u < 0 || u - 1. > 0;
 (* [/snippet] *)
 
 (* [snippet: simulate-lidar-scan] *)

@@ -80,20 +80,35 @@ VerificationTest[
   {Logit[0.3], Logit[0.3] + Logit[0.3], -2., -2.},
   TestID -> "the lower clamp"]
 
-(* many cells at once do what UpdateCell does one by one *)
-cellsOfTest = Table[randomBelow[12], {200}];
+(* many beams at once do what UpdateCell does one by one, whatever the signs of
+   the two steps, also when the cells are looked at in between *)
+beamsOfTest = Table[
+  {Table[randomBelow[12] + 1, {randomBelow[20]}],
+    Table[randomBelow[12] + 1, {randomBelow[2]}]},
+  {60}];
+gridOfTest[{pFree_, pOcc_}] := NewGrid[
+  GridSpec[4, 3, 1., 0., 0.], 0.4, pOcc, pFree, -1.5, 1.2];
+updateEach[grid_, cells_, evidence_] := Scan[
+  UpdateCell[grid, Mod[# - 1, 4], Quotient[# - 1, 4], evidence] &, cells];
 VerificationTest[
   Map[
-    Function[evidence,
-      With[{grid = newSmall[0.4, -1.5, 1.2]},
-        Scan[UpdateCell[grid, Mod[#, 4], Quotient[#, 4], evidence] &,
-          cellsOfTest];
+    Function[steps,
+      With[{grid = gridOfTest[steps]},
+        Scan[
+          (updateEach[grid, First[#], grid["lFree"]];
+            updateEach[grid, Last[#], grid["lOcc"]]) &,
+          beamsOfTest];
         With[{expected = bits[LogOdds[grid]]},
-          newSmall[0.4, -1.5, 1.2];
-          UpdateCells[grid, cellsOfTest + 1, evidence];
+          gridOfTest[steps];
+          UpdateCells[grid, Take[beamsOfTest, 25]];
+          LogOdds[grid];
+          updateEach[grid, First[beamsOfTest[[26]]], grid["lFree"]];
+          updateEach[grid, Last[beamsOfTest[[26]]], grid["lOcc"]];
+          UpdateCells[grid, Drop[beamsOfTest, 26]];
           bits[LogOdds[grid]] === expected]]],
-    {Logit[0.45], Logit[0.3], Logit[0.4], Logit[0.401], Logit[0.9]}],
-  {True, True, True, True, True},
+    {{0.3, 0.75}, {0.399, 0.9}, {0.4, 0.45}, {0.6, 0.2}, {0.3, 0.35},
+      {0.7, 0.8}}],
+  {True, True, True, True, True, True},
   TestID -> "a list of cells"]
 
 VerificationTest[
