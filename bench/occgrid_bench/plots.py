@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from statistics import median
 
 import matplotlib
 
@@ -143,8 +144,7 @@ def _draw_growth(part: Part, path: Path) -> Path:
 def _draw_slope(axis: Axes, ports: list[list[Series]]) -> None:
     """Where the first port's times would be if they grew as the crossed cells do."""
     points = ports[0]
-    last = points[-1]
+    each = median(s.median / s.extra["crossed"] for s in points)
     x = [s.extra["value"] for s in points]
-    each = last.median / last.extra["crossed"]
     y = [s.extra["crossed"] * each for s in points]
     axis.plot(x, y, "k:", linewidth=0.9, label="as the crossed cells")
