@@ -145,7 +145,10 @@ def lesson_work() -> Work:
 
 
 def open_lesson_work() -> Work:
-    """The lesson on a grid that holds every beam: the robot leaves the lesson's own. A metre more, or MRPT's grid grows."""
+    """The lesson on a grid that holds every beam: the robot leaves the lesson's own.
+
+    It is a metre wider than that all around, or else MRPT's grid grows.
+    """
     spec = GridSpec(480, 320, 0.1, -24.0, -16.0)
     return simulated(
         "open",
