@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Annotated
 
@@ -9,7 +10,7 @@ import typer
 from rich.console import Console
 
 from occgrid_bench.building import BuildError, build
-from occgrid_bench.folders import OUT
+from occgrid_bench.folders import OUT, WORK
 from occgrid_bench.goals import goals
 from occgrid_bench.markdown import markdown
 from occgrid_bench.parts import PARTS, Options
@@ -82,6 +83,8 @@ def run(
         with console.status("building") as status:
             if build_first:
                 build(ports=True)
+            # what is there may be of another version, or of another log
+            shutil.rmtree(WORK, ignore_errors=True)
             for name in chosen:
                 words = ["make bench", f'BENCH="{_words(name, quick)}"']
                 options = Options(

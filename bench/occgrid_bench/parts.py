@@ -95,8 +95,6 @@ def find_log_work(options: Options) -> Work | None:
             parameters={},
         )
     )
-    (WORK / "log.work").unlink(missing_ok=True)
-    (WORK / "log.log").unlink(missing_ok=True)
     return log_work(scenario, log.name)
 
 
