@@ -45,7 +45,7 @@ class Options:
     def effort(self, quick: int, full: int) -> Effort:
         """So many rounds, if no number was given."""
         rounds = self.rounds or (quick if self.quick else full)
-        budget = 1.0 if self.quick else 20.0
+        budget = 0.4 if self.quick else 20.0
         return Effort(rounds, budget, not self.quick, self.say)
 
     def contestants(self) -> list[Contestant]:
@@ -63,7 +63,7 @@ def lesson(options: Options) -> Part:
 
 
 def open_lesson(options: Options) -> Part:
-    return _comparison(open_lesson_work(), options, 3, 11)
+    return _comparison(open_lesson_work(), options, 2, 11)
 
 
 def real_log(options: Options) -> Part | None:
@@ -141,7 +141,7 @@ def commands(options: Options) -> Part:
 
 def threads(options: Options) -> Part:
     """One thread and several, on a large log."""
-    effort = options.effort(3, 9)
+    effort = options.effort(2, 9)
     work = growth.scans(16 if options.quick else 64)
     part = Part(
         "threads",
