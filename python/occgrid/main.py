@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import argparse
+import errno
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -41,7 +43,7 @@ def _map_one(file: str | None, options: argparse.Namespace) -> None:
     ):
         grid = map_scenario(scenario, options.seed)
     if options.out is None:
-        print(map_pgm(grid), end="", flush=True)
+        _print(map_pgm(grid))
     else:
         write_map(options.out, scenario.name, grid)
     if options.plot is not None:
@@ -49,6 +51,19 @@ def _map_one(file: str | None, options: argparse.Namespace) -> None:
         from occgrid.picture import draw_map
 
         draw_map(grid, options.plot)
+
+
+def _print(text: str) -> None:
+    """Write to standard output. Raises OSError where that fails."""
+    if sys.stdout is None:  # closed from the start: print would say nothing
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+    try:
+        print(text, end="", flush=True)
+    except OSError:
+        # what is left in the buffer would be tried again, and end the program with another status
+        with Path(os.devnull).open("w") as nowhere:
+            os.dup2(nowhere.fileno(), sys.stdout.fileno())
+        raise
 
 
 def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
