@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <functional>
-#include <future>
 #include <utility>
 
+#include "crew.hpp"
 #include "noise.hpp"
 #include "world.hpp"
 
@@ -45,22 +45,6 @@ std::function<std::optional<Scan>()> simulated_scans(
 }
 // [/snippet]
 
-namespace {
-
-/// Runs work(0) .. work(n - 1) at once, the first on this thread. If that
-/// throws, the futures wait for the others.
-template <typename Work>
-void in_parallel(int n, const Work& work) {
-  std::vector<std::future<void>> others;
-  for (int i = 1; i < n; ++i) {
-    others.push_back(std::async(std::launch::async, std::cref(work), i));
-  }
-  work(0);
-  for (auto& other : others) other.get();
-}
-
-}  // namespace
-
 OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
                                     std::optional<std::uint32_t> seed,
                                     int threads) {
@@ -78,12 +62,14 @@ OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
     }
     return scans;
   };
-  // kept from batch to batch, as new memory is slow at first
   const auto share = static_cast<std::size_t>(threads);
+  // kept from batch to batch, as new memory is slow at first
   std::vector<std::vector<Beam>> beams(share);
-  const auto map_batch = [&](const std::vector<Scan>& scans) {
-    // first the beams, each thread those of some scans; then the updates
-    in_parallel(threads, [&](int thread) {
+  std::vector<Rows> bands;
+  Crew crew(threads);  // the last: it ends before what it works on
+  for (auto scans = read_batch(); !scans.empty();) {
+    // first the beams, each thread those of some scans
+    crew.start([&](int thread) {
       const auto t = static_cast<std::size_t>(thread);
       const std::size_t end = scans.size() * (t + 1) / share;
       beams[t].clear();
@@ -92,19 +78,15 @@ OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
                      settings.no_return);
       }
     });
-    const auto bands = cut_bands(beams, settings.height, threads);
-    in_parallel(threads, [&](int thread) {
+    crew.wait();
+    // then the updates, while this thread reads on
+    bands = cut_bands(beams, settings.height, threads);
+    crew.start([&](int thread) {
       const Rows rows = bands[static_cast<std::size_t>(thread)];
       for (const auto& some : beams) update_rows_from_beams(grid, some, rows);
     });
-  };
-  // This thread reads the next batch while the others map the one before. If
-  // it throws, the future waits for them.
-  for (auto batch = read_batch(); !batch.empty();) {
-    auto mapped = std::async(std::launch::async, map_batch, std::cref(batch));
-    auto next_batch = read_batch();
-    mapped.get();
-    batch = std::move(next_batch);
+    scans = read_batch();
+    crew.wait();
   }
   return grid;
 }

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstring>
 #include <random>
 
+#include "crew.hpp"
 #include "lesson.hpp"
 
 namespace {
@@ -90,6 +92,28 @@ TEST(Mapper, ErrorsOfTheLogComeThrough) {
     EXPECT_THROW(occgrid::map_scenario_in_bands(log, std::nullopt, 3),
                  occgrid::ScenarioError);
   }
+}
+
+TEST(Crew, EachTakesItsPieceEachTime) {
+  std::vector<int> done(5, 0);
+  occgrid::Crew crew(5);
+  for (int round = 1; round <= 200; ++round) {
+    crew.start([&](int i) { ++done[static_cast<std::size_t>(i)]; });
+    crew.wait();
+    EXPECT_EQ(done, std::vector<int>(5, round));
+  }
+}
+
+TEST(Crew, ErrorsComeThroughAndTheCrewGoesOn) {
+  std::atomic<int> done = 0;
+  occgrid::Crew crew(3);
+  crew.start([](int i) {
+    if (i == 1) throw std::runtime_error("bad");
+  });
+  EXPECT_THROW(crew.wait(), std::runtime_error);
+  crew.start([&](int) { ++done; });
+  crew.wait();
+  EXPECT_EQ(done, 3);
 }
 
 TEST(Mapper, CutBandsCoversEveryRowOnce) {
