@@ -48,7 +48,7 @@ std::function<std::optional<Scan>()> simulated_scans(
 OccupancyGrid map_scenario_in_bands(const Scenario& scenario,
                                     std::optional<std::uint32_t> seed,
                                     int threads) {
-  constexpr Eigen::Index batch_beams = 1 << 16;
+  constexpr Eigen::Index batch_beams = 1 << 17;
   const Settings& settings = scenario.settings;
   OccupancyGrid grid = settings.new_grid();
   const auto next_scan = simulated_scans(scenario, seed);

@@ -8,10 +8,12 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.stream.Stream;
 import occgrid.Grid.OccupancyGrid;
 import occgrid.Scenario.Observation;
 import occgrid.Scenario.Settings;
 import occgrid.Sensor.Beam;
+import occgrid.Sensor.Beams;
 import occgrid.Sensor.Rows;
 import occgrid.Sensor.Scan;
 import occgrid.World.Pose;
@@ -84,7 +86,7 @@ public final class Mapper {
     // [/snippet]
 
     /** Beams that are updated together: bounds the memory. */
-    private static final int BATCH_BEAMS = 1 << 16;
+    private static final int BATCH_BEAMS = 1 << 17;
 
     /**
      * mapScenario on several threads, with the same bits for any number of
@@ -103,29 +105,30 @@ public final class Mapper {
         OccupancyGrid grid = settings.newGrid();
         Iterator<Scan> scans = simulatedScans(scenario, seed);
         ExecutorService workers = Executors.newFixedThreadPool(threads);
+        List<Beams> beams = Stream.generate(Beams::new).limit(threads)
+                .toList();
         try {
             List<Scan> batch = nextBatch(scans);
             while (!batch.isEmpty()) {
                 // first the beams, each thread those of some scans
-                List<Scan> read = batch;
-                List<Future<List<Beam>>> found = new ArrayList<>();
+                List<Future<?>> pieces = new ArrayList<>();
                 for (int t = 0; t < threads; t++) {
-                    List<Scan> some = read.subList(read.size() * t / threads,
-                            read.size() * (t + 1) / threads);
-                    found.add(workers
-                            .submit(() -> beamsOf(some, grid, settings)));
+                    List<Scan> some = batch.subList(
+                            batch.size() * t / threads,
+                            batch.size() * (t + 1) / threads);
+                    Beams found = beams.get(t);
+                    pieces.add(workers.submit(
+                            () -> findBeams(found, some, grid, settings)));
                 }
-                List<List<Beam>> beams = allOf(found);
+                await(pieces);
                 // then the updates, while this thread reads on
-                List<Future<?>> bands = new ArrayList<>();
                 for (Rows rows : cutBands(beams, settings.height(), threads)) {
-                    bands.add(workers.submit(() -> beams.forEach(some -> Sensor
-                            .updateRowsFromBeams(grid, some, rows))));
+                    pieces.add(
+                            workers.submit(() -> beams.forEach(some -> Sensor
+                                    .updateRowsFromBeams(grid, some, rows))));
                 }
                 batch = nextBatch(scans);
-                for (Future<?> band : bands) {
-                    band.get();
-                }
+                await(pieces);
             }
             return grid;
         } catch (InterruptedException error) {
@@ -148,23 +151,22 @@ public final class Mapper {
         return batch;
     }
 
-    private static List<Beam> beamsOf(List<Scan> scans, OccupancyGrid grid,
-            Settings settings) {
-        List<Beam> beams = new ArrayList<>();
+    private static void findBeams(Beams beams, List<Scan> scans,
+            OccupancyGrid grid, Settings settings) {
+        beams.clear();
         for (Scan scan : scans) {
             Sensor.appendBeams(beams, grid, scan, settings.maxRange(),
                     settings.noReturn());
         }
-        return beams;
     }
 
-    private static <T> List<T> allOf(List<Future<T>> futures)
+    /** Waits for pieces of work and forgets them. */
+    private static void await(List<Future<?>> pieces)
             throws InterruptedException, ExecutionException {
-        List<T> results = new ArrayList<>();
-        for (Future<T> future : futures) {
-            results.add(future.get());
+        for (Future<?> piece : pieces) {
+            piece.get();
         }
-        return results;
+        pieces.clear();
     }
 
     /**
@@ -176,12 +178,11 @@ public final class Mapper {
      * @param count number of bands
      * @return the bands
      */
-    static List<Rows> cutBands(List<List<Beam>> beams, int height,
-            int count) {
+    static List<Rows> cutBands(List<Beams> beams, int height, int count) {
         // how many more cells a row has of the beams than the row before
         double[] rise = new double[height + 1];
         double all = 0.0;
-        for (List<Beam> some : beams) {
+        for (Beams some : beams) {
             // a thousand of them say enough
             int step = 1 + some.size() / 1024;
             for (int i = 0; i < some.size(); i += step) {

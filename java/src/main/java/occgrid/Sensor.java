@@ -1,6 +1,6 @@
 package occgrid;
 
-import java.util.List;
+import java.util.Arrays;
 import occgrid.Grid.Cell;
 import occgrid.Grid.OccupancyGrid;
 import occgrid.PortableMath.SinCos;
@@ -58,6 +58,61 @@ public final class Sensor {
      * @param hit whether something stands there
      */
     public record Beam(int gx0, int gy0, int gx1, int gy1, boolean hit) {
+    }
+
+    /**
+     * A list of beams that is used again and again. They lie side by side, as
+     * numbers: objects would be scattered in memory, and slow to go through.
+     */
+    public static final class Beams {
+        private static final int NUMBERS = 5;
+
+        private int[] numbers = new int[NUMBERS << 10];
+        private int size;
+
+        /** Removes all beams. */
+        public void clear() {
+            size = 0;
+        }
+
+        /**
+         * How many there are.
+         *
+         * @return the number of beams
+         */
+        public int size() {
+            return size;
+        }
+
+        /**
+         * Appends a beam.
+         *
+         * @param beam the beam
+         */
+        public void add(Beam beam) {
+            int at = size * NUMBERS;
+            if (at == numbers.length) {
+                numbers = Arrays.copyOf(numbers, 2 * at);
+            }
+            numbers[at] = beam.gx0();
+            numbers[at + 1] = beam.gy0();
+            numbers[at + 2] = beam.gx1();
+            numbers[at + 3] = beam.gy1();
+            numbers[at + 4] = beam.hit() ? 1 : 0;
+            size++;
+        }
+
+        /**
+         * One of the beams.
+         *
+         * @param i its place, from 0
+         * @return the beam
+         */
+        public Beam get(int i) {
+            int at = i * NUMBERS;
+            return new Beam(numbers[at], numbers[at + 1], numbers[at + 2],
+                    numbers[at + 3], numbers[at + 4] != 0);
+        }
     }
 
     /**
@@ -203,7 +258,7 @@ public final class Sensor {
      * @param zMax the sensor's maximum range, metres
      * @param noReturn what a beam without return means
      */
-    public static void appendBeams(List<Beam> beams, OccupancyGrid grid,
+    public static void appendBeams(Beams beams, OccupancyGrid grid,
             Scan scan, double zMax, NoReturn noReturn) {
         double[] z = readRanges(scan.ranges(), zMax, noReturn);
         Endpoints ends = beamEndpoints(scan.pose(), scan.angles(), z);
@@ -226,10 +281,11 @@ public final class Sensor {
      * @param rows the rows
      */
     public static void updateRowsFromBeams(OccupancyGrid grid,
-            List<Beam> beams, Rows rows) {
+            Beams beams, Rows rows) {
         int width = grid.spec.width();
         int height = rows.last() - rows.first() + 1;
-        for (Beam beam : beams) {
+        for (int i = 0; i < beams.size(); i++) {
+            Beam beam = beams.get(i);
             int gx0 = beam.gx0();
             int gy0 = beam.gy0();
             int gx1 = beam.gx1();

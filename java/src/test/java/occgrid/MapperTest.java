@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.Iterator;
 import java.util.List;
 import java.util.OptionalLong;
@@ -16,6 +14,7 @@ import java.util.stream.Stream;
 import occgrid.Scenario.Observation;
 import occgrid.Scenario.Settings;
 import occgrid.Sensor.Beam;
+import occgrid.Sensor.Beams;
 import occgrid.Sensor.NoReturn;
 import occgrid.Sensor.Rows;
 import occgrid.Sensor.Scan;
@@ -71,13 +70,13 @@ class MapperTest {
     void randomLogsInBands() {
         OptionalLong noSeed = OptionalLong.empty();
         for (int height : new int[]{60, 5, 1}) {
-            double[] plain = Mapper.mapScenario(randomLog(height, 300),
+            double[] plain = Mapper.mapScenario(randomLog(height, 500),
                     noSeed).logOdds;
             assertTrue(Arrays.stream(plain).anyMatch(l -> l == -1.5));
             for (int threads : THREADS) {
                 assertArrayEquals(bits(plain),
                         bits(Mapper.mapScenarioInBands(
-                                randomLog(height, 300), noSeed,
+                                randomLog(height, 500), noSeed,
                                 threads).logOdds));
             }
         }
@@ -86,7 +85,7 @@ class MapperTest {
     /** An error comes out while the bands are at work on a batch. */
     @Test
     void errorsOfTheLogComeThrough() {
-        for (int after : new int[]{0, 250}) {
+        for (int after : new int[]{0, 500}) {
             Scenario log = randomLog(60, 600);
             Iterator<Observation> failing = new Iterator<>() {
                 private int left = after;
@@ -113,8 +112,10 @@ class MapperTest {
 
     @Test
     void bandsCoverEveryRowOnce() {
-        List<Beam> beams = List.of(new Beam(0, -5, 10, 300, true),
-                new Beam(0, 3, 50, 3, false), new Beam(0, -9, 0, -1, true));
+        Beams beams = new Beams();
+        beams.add(new Beam(0, -5, 10, 300, true));
+        beams.add(new Beam(0, 3, 50, 3, false));
+        beams.add(new Beam(0, -9, 0, -1, true));
         for (int height : new int[]{1, 2, 7, 400}) {
             for (int count : THREADS) {
                 int row = 0;
@@ -133,12 +134,31 @@ class MapperTest {
     void bandsShareTheWork() {
         // a fan of 40 beams in rows 10 to 13, then 1000 cells of row 90
         Beam fan = new Beam(0, 10, 3, 13, true);
-        List<Beam> beams = new ArrayList<>(
-                Collections.nCopies(40, fan));
+        Beams beams = new Beams();
+        for (int i = 0; i < 40; i++) {
+            beams.add(fan);
+        }
         assertEquals(11,
                 Mapper.cutBands(List.of(beams), 100, 2).get(0).last());
         beams.add(new Beam(0, 90, 1000, 90, true));
         assertEquals(90,
                 Mapper.cutBands(List.of(beams), 100, 2).get(0).last());
+    }
+
+    /** More than there is room for at first, twice. */
+    @Test
+    void beamsComeBackAsTheyWere() {
+        Beams beams = new Beams();
+        for (int round = 0; round < 2; round++) {
+            beams.clear();
+            for (int i = 0; i < 5000; i++) {
+                beams.add(new Beam(i, -i, 7 * i, round, i % 3 == 0));
+            }
+            assertEquals(5000, beams.size());
+            for (int i = 0; i < 5000; i++) {
+                assertEquals(new Beam(i, -i, 7 * i, round, i % 3 == 0),
+                        beams.get(i));
+            }
+        }
     }
 }
