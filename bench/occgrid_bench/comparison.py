@@ -32,6 +32,7 @@ class Effort:
     budget: (
         float  # seconds that a contestant may take in a round, more or less
     )
+    warm_up: float  # seconds of maps before the first turn, at most
     restart: bool  # a new process for each turn: some are luckier with their memory than others
     say: Callable[[str], None]
 
@@ -61,6 +62,7 @@ class _Player:
         }
         self.command = [word.format(**files) for word in contestant.command]
         self.restart = effort.restart or contestant.fresh
+        self.warm_up = min(contestant.warm_up, effort.warm_up)
         self.driver: Driver | None = None
         self.times = 1
         self.series = Series(
@@ -82,7 +84,7 @@ class _Player:
         if self.contestant.fresh or self.slow:
             return
         taken = driver.map(1)
-        while sum(taken) < self.contestant.warm_up:
+        while sum(taken) < self.warm_up:
             taken += driver.map(1)
         self.times = min(max(round(TURN / taken[-1]), 3), 50)
 

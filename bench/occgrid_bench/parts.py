@@ -45,8 +45,9 @@ class Options:
     def effort(self, quick: int, full: int) -> Effort:
         """So many rounds, if no number was given."""
         rounds = self.rounds or (quick if self.quick else full)
-        budget = 0.4 if self.quick else 20.0
-        return Effort(rounds, budget, not self.quick, self.say)
+        if self.quick:
+            return Effort(rounds, 0.4, 0.8, False, self.say)
+        return Effort(rounds, 20.0, 2.0, True, self.say)
 
     def contestants(self) -> list[Contestant]:
         """Those who were asked for; the lesson's C++ always."""
@@ -72,7 +73,7 @@ def real_log(options: Options) -> Part | None:
     if work is None:
         options.say("log: no folder with logs (OCCGRID_DATA): not measured")
         return None
-    return _comparison(work, options, 2, 7)
+    return _comparison(work, options, 1, 7)
 
 
 def find_log_work(options: Options) -> Work | None:
