@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -25,14 +25,27 @@ def command_line(port: Port, *arguments: str | Path) -> list[str]:
     return [*port.command(port.run[:begin]), *map(str, arguments)]
 
 
-def run_port(port: Port, folder: Path, *arguments: str | Path) -> Finished:
+def run_port(
+    port: Port,
+    folder: Path,
+    *arguments: str | Path,
+    within: Sequence[str] = (),
+    environment: Mapping[str, str] | None = None,
+) -> Finished:
+    """Runs the port in a folder; ``within`` is a command that its command line is handed to."""
     return run_process(
-        command_line(port, *arguments),
+        [*within, *command_line(port, *arguments)],
         cwd=folder,
         stdout=folder / f"{port.name}.stdout",
         stderr=folder / f"{port.name}.stderr",
         time_limit=port.timeout,
+        environment=environment,
     )
+
+
+def shell(script: str, *arguments: str) -> list[str]:
+    """A shell script that is handed the words after it as well."""
+    return ["sh", "-c", script, "sh", *arguments]
 
 
 def files(folder: Path) -> list[str]:
@@ -121,12 +134,12 @@ def test_a_name_may_be_in_any_letters(
     port = need(name)
     scenario = tmp_path / "Örebro åäö 地図.log"
     scenario.write_bytes(OTHER.read_bytes())
-    finished = run_process(
-        command_line(port, "--out", "out", scenario),
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
+    finished = run_port(
+        port,
+        tmp_path,
+        "--out",
+        "out",
+        scenario,
         environment={"LC_ALL": "C.UTF-8"},
     )
     assert (finished.exit_status, finished.stderr.read_text()) == (0, "")
@@ -145,12 +158,12 @@ def test_a_locale_that_cannot_say_a_name_takes_it_or_says_so(
     scenario = tmp_path / "Örebro åäö 地図.log"
     scenario.write_bytes(OTHER.read_bytes())
     out = tmp_path / "out"
-    finished = run_process(
-        command_line(port, "--out", "out", scenario),
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
+    finished = run_port(
+        port,
+        tmp_path,
+        "--out",
+        "out",
+        scenario,
         environment={"LC_ALL": "C"},
     )
     said = finished.stderr.read_text(errors="replace")
@@ -176,20 +189,12 @@ def test_shares_standard_output_with_others(
     port = need(name)
     shared = tmp_path / "shared"
     shared.write_text("of yesterday\n" if redirection == ">>" else "")
-    finished = run_process(
-        [
-            "sh",
-            "-c",
-            'f="$1"; shift; { echo before; "$@"; echo after; } '
-            f'{redirection} "$f"',
-            "sh",
-            str(shared),
-            *command_line(port, OTHER),
-        ],
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
+    script = (
+        'f="$1"; shift; { echo before; "$@"; echo after; } '
+        f'{redirection} "$f"'
+    )
+    finished = run_port(
+        port, tmp_path, OTHER, within=shell(script, str(shared))
     )
     assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
     golden = ROOT / "scenarios" / "golden" / f"{OTHER.stem}.seed-0.pgm"
@@ -205,18 +210,9 @@ def test_says_that_the_disk_is_full(
 ) -> None:
     """A file that no byte can be written into, though it can be opened."""
     port = need(name)
-    finished = run_process(
-        [
-            "sh",
-            "-c",
-            "trap '' XFSZ; ulimit -f 0; exec \"$@\"",
-            "sh",
-            *command_line(port, "--out", "out", OTHER),
-        ],
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
+    script = "trap '' XFSZ; ulimit -f 0; exec \"$@\""
+    finished = run_port(
+        port, tmp_path, "--out", "out", OTHER, within=shell(script)
     )
     said = finished.stderr.read_text()
     assert finished.exit_status == 1
@@ -235,18 +231,11 @@ def test_says_that_standard_output_cannot_be_written(
     if not Path("/dev/full").exists():
         unavailable("no /dev/full, the device that is always full")
     port = need(name)
-    finished = run_process(
-        [
-            "sh",
-            "-c",
-            f'exec "$@" {output}',
-            "sh",
-            *command_line(port, OTHER),
-        ],
-        cwd=tmp_path,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=port.timeout,
+    finished = run_port(
+        port,
+        tmp_path,
+        OTHER,
+        within=shell(f'exec "$@" {output}'),
         environment={"PYTHONUNBUFFERED": ""},  # which hides what is left over
     )
     said = finished.stderr.read_text().splitlines()

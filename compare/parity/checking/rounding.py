@@ -98,12 +98,12 @@ def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
 
     ``own_poses``: the program computes the poses itself, so they have errors, too.
     """
+    known = seed is None and world.settings.beams == 1
+    walls = tuple(world.walls)
     parts = [
-        _scan_beams(world, scan, number, seed, own_poses)
-        if isinstance(scan, Scan) or seed is not None
-        else _pose_beams(
-            world.settings, tuple(world.walls), scan, number, own_poses
-        )
+        _known_beam(world.settings, walls, scan, number, own_poses)
+        if known and not isinstance(scan, Scan)
+        else _scan_beams(world, scan, number, seed, own_poses)
         for number, scan in enumerate(world.scans)
     ]
     counts = np.array([part.scan.size for part in parts])
@@ -135,17 +135,16 @@ def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
     )
 
 
-def _pose_beams(
+def _known_beam(
     settings: Settings,
     walls: tuple[Segment, ...],
     pose: Pose,
     number: int,
     own_poses: bool,
 ) -> Beams:
-    """A simulated scan without noise. Scans of one beam are kept: the search cuts the same scans again and again."""
-    draw = _one_beam if settings.beams == 1 else _one_beam.__wrapped__
-    beams = draw(settings, walls, pose, own_poses)
-    return replace(beams, scan=np.full(beams.scan.size, number))
+    """A simulated scan of one beam without noise; kept, since the search cuts the same scans again and again."""
+    beam = _one_beam(settings, walls, pose, own_poses)
+    return replace(beam, scan=np.full(1, number))
 
 
 @functools.lru_cache(50_000)  # some 2.5 kB each
