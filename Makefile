@@ -39,7 +39,7 @@ WOLFRAM_RUN := $(if $(filter wolframscript,$(WOLFRAM)),wolframscript -file,woxi 
 
 .PHONY: all
 all: setup-run  ## Set up, build every port, map every scenario, print the table
-	$(BIN)/parity run --jobs $(JOBS) --report build/report $(if $(CI),,--allow-skipped)
+	$(BIN)/occgrid-parity run --jobs $(JOBS) --report build/report $(if $(CI),,--allow-skipped)
 
 .PHONY: test
 test: setup  ## Every test there is; ends with a table of what passed
@@ -58,7 +58,7 @@ setup-run:
 
 .PHONY: $(PORTS)
 $(PORTS): setup-run  ## Build the port
-	$(BIN)/parity build $@
+	$(BIN)/occgrid-parity build $@
 
 .PHONY: $(ALL_PARTS:%=test-%)
 $(ALL_PARTS:%=test-%): test-%: setup  ## Its tests; also test-lint, test-compare and test-handouts
@@ -68,7 +68,7 @@ $(ALL_PARTS:%=test-%): test-%: setup  ## Its tests; also test-lint, test-compare
 
 .PHONY: handouts
 handouts: setup  ## The course handouts, a PDF and a page for each language, in build/handouts
-	$(BIN)/parity build --jobs $(JOBS) --allow-skipped
+	$(BIN)/occgrid-parity build --jobs $(JOBS) --allow-skipped
 	$(BIN)/python handouts/build.py --out build/handouts
 
 ##@ Speed
@@ -120,7 +120,7 @@ run-test-python:
 	@scripts/part python 'pytest' 'pytest python/tests'
 
 run-test-cpp:
-	@scripts/part cpp 'g++ cmake' 'parity build cpp; \
+	@scripts/part cpp 'g++ cmake' 'occgrid-parity build cpp; \
 	    ctest --test-dir cpp/build --output-on-failure --no-tests=error'
 
 run-test-cpp-format:
@@ -130,14 +130,14 @@ run-test-java:
 	@scripts/part java 'javac=$(JDK) mvn=maven' 'cd java; $(MVN) verify'
 
 run-test-matlab:
-	@scripts/part matlab 'octave-cli=octave' 'parity build matlab; \
+	@scripts/part matlab 'octave-cli=octave' 'occgrid-parity build matlab; \
 	    octave-cli --no-history --norc --quiet matlab/tests/run_tests.m'
 
 run-test-matlab-lint:
 	@scripts/part matlab-lint 'mh_lint=miss_hit' 'mh_lint --single matlab$(MH_STYLE)'
 
 run-test-mathematica:
-	@scripts/part mathematica '$(WOLFRAM)' 'parity build mathematica; $(WOLFRAM_RUN) mathematica/tests/run_tests.wls'
+	@scripts/part mathematica '$(WOLFRAM)' 'occgrid-parity build mathematica; $(WOLFRAM_RUN) mathematica/tests/run_tests.wls'
 
 run-test-bench:
 	@scripts/part bench 'pytest' 'pytest bench/tests'
@@ -146,5 +146,5 @@ run-test-compare:
 	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest compare/'
 
 run-test-handouts:
-	@scripts/part handouts 'pytest' 'parity build --jobs 1 --allow-skipped; \
+	@scripts/part handouts 'pytest' 'occgrid-parity build --jobs 1 --allow-skipped; \
 	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c handouts/pytest.ini handouts/tests'

@@ -26,7 +26,7 @@ from occgrid_bench.work import (
     log_work,
     open_lesson_work,
 )
-from parity.carmen import Request, Selection, make_scenario
+from occgrid_parity.logs.carmen import Request, Selection, make_scenario
 
 PORTS = ["cpp", "java", "python", "matlab", "mathematica"]
 
@@ -77,7 +77,7 @@ def real_log(options: Options) -> Part | None:
 
 
 def find_log_work(options: Options) -> Work | None:
-    """The scans of a real log on the grid that parity scenario makes for them."""
+    """The scans of a real log on the grid that occgrid-parity scenario makes for them."""
     log = options.log or find_log()
     if log is None:
         return None

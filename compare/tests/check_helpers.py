@@ -8,19 +8,19 @@ from pathlib import Path
 
 import numpy as np
 
-from parity.checking.check import Options, check
-from parity.checking.classes import check_program
-from parity.checking.programs import program_from_command
-from parity.checking.reading import Observed
-from parity.checking.reference import world_of
-from parity.checking.runner import Outcome
-from parity.checking.sandbox import Limits
-from parity.checking.suite import Case
-from parity.checking.verdict import Verdict
-from parity.mistakes.arithmetic import PORTABLE, Arithmetic
-from parity.mistakes.lines import Lines
-from parity.mistakes.mapper import Array, Cells, Mapper, Mask
-from parity.modes import NOISE_FREE, Mode
+from occgrid_parity.check.class_run import check_program
+from occgrid_parity.check.verdict import Verdict
+from occgrid_parity.check.whole_check import Options, check
+from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
+from occgrid_parity.model.line_cells import Lines
+from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Mask
+from occgrid_parity.model.reference import world_of
+from occgrid_parity.processes.limits import Limits
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.programs.program import program_from_command
+from occgrid_parity.programs.runner import Outcome
+from occgrid_parity.suite.modes import NOISE_FREE, Mode
+from occgrid_parity.suite.scenario_text import Case
 
 PROGRAMS = Path(__file__).parent / "check" / "programs"
 
@@ -60,7 +60,7 @@ def check_mapper(mapper: type[Mapper], save: Path | None = None) -> Verdict:
 def check_words(
     words: str, options: Options | None = None, limits: Limits | None = None
 ) -> Verdict:
-    """The verdict on a command, as ``parity check --run`` makes it."""
+    """The verdict on a command, as ``occgrid-parity check --run`` makes it."""
     program = program_from_command(words, Path.cwd(), 60.0)
     return check_program(program, limits or Limits(), options or Options())
 

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from parity.building import Built
-from parity.ports import Port, find_ports, read_port
-from parity.repository import find_root
-from parity.running import Silent, build_ports
+from occgrid_parity.compare.matrix_run import Silent, build_ports
+from occgrid_parity.ports.building import Built
+from occgrid_parity.ports.declaration import Port, find_ports, read_port
+from occgrid_parity.suite.repository import find_root
 
 from .reported import Ran, run_and_report
 

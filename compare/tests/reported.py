@@ -6,12 +6,12 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from parity.modes import DEFAULT_MODES
-from parity.ports import Port, read_port
-from parity.record import RunRecord
-from parity.repository import find_root
-from parity.running import Plan, run
-from parity.scenarios import choose_scenarios
+from occgrid_parity.compare.matrix_run import Plan, run
+from occgrid_parity.compare.run_record import RunRecord
+from occgrid_parity.ports.declaration import Port, read_port
+from occgrid_parity.suite.modes import DEFAULT_MODES
+from occgrid_parity.suite.repository import find_root
+from occgrid_parity.suite.scenarios import choose_scenarios
 
 ROOT = find_root(Path(__file__).parent)
 

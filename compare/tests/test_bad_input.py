@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from parity.pool import side_by_side
-from parity.ports import Port
-from parity.processes import Finished, run_process
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.processes.pool import side_by_side
+from occgrid_parity.processes.process_group import Finished, run_process
 
 from .conftest import JOBS, PORTS, unavailable
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from parity.outputs import SUFFIXES
-from parity.ports import Port
-from parity.processes import Finished, run_process
+from occgrid_parity.formats.map_files import SUFFIXES
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.processes.process_group import Finished, run_process
 
 from .conftest import PORTS, ROOT, unavailable
 

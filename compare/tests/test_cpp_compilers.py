@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from parity.building import Built, build_port
-from parity.modes import DEFAULT_MODES
-from parity.pool import side_by_side
-from parity.ports import Port
-from parity.record import RunRecord
-from parity.running import REFERENCE, Plan, run
-from parity.scenarios import choose_scenarios
-from parity.table import explain
+from occgrid_parity.compare.matrix_run import REFERENCE, Plan, run
+from occgrid_parity.compare.run_record import RunRecord
+from occgrid_parity.ports.building import Built, build_port
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.processes.pool import side_by_side
+from occgrid_parity.report.run_table import explain
+from occgrid_parity.suite.modes import DEFAULT_MODES
+from occgrid_parity.suite.scenarios import choose_scenarios
 
 from .conftest import JOBS, ROOT, unavailable
 

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from parity.building import Built
-from parity.modes import Mode
-from parity.ports import Port
-from parity.record import RunRecord
-from parity.running import Plan, run
-from parity.scenarios import scenario_from
-from parity.table import explain
+from occgrid_parity.compare.matrix_run import Plan, run
+from occgrid_parity.compare.run_record import RunRecord
+from occgrid_parity.ports.building import Built
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.report.run_table import explain
+from occgrid_parity.suite.modes import Mode
+from occgrid_parity.suite.scenarios import scenario_from
 
 from .conftest import JOBS, PORTS
 

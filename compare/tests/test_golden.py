@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from parity.cli import app
-from parity.golden import read_golden
-from parity.modes import DEFAULT_MODES, NOISE_FREE, Mode
-from parity.scenarios import scenario_files
+from occgrid_parity.commands.app import app
+from occgrid_parity.suite.golden import read_golden
+from occgrid_parity.suite.modes import DEFAULT_MODES, NOISE_FREE, Mode
+from occgrid_parity.suite.scenarios import scenario_files
 
 SCENARIO = """PARAM occgrid_width 8
 PARAM occgrid_height 5
@@ -130,7 +130,7 @@ def test_every_scenario_has_a_golden_result(root: Path, mode: Mode) -> None:
         name for name in names if read_golden(folder, name, mode) is None
     ]
     assert names
-    assert missing == [], "parity golden --write"
+    assert missing == [], "occgrid-parity golden --write"
 
 
 def test_noise_changes_only_what_is_simulated(root: Path) -> None:
@@ -141,7 +141,7 @@ def test_noise_changes_only_what_is_simulated(root: Path) -> None:
         text = scenario.path.read_text()
         free = read_golden(folder, scenario.map, NOISE_FREE)
         noisy = read_golden(folder, scenario.map, Mode(0))
-        assert free is not None, "parity golden --write"
-        assert noisy is not None, "parity golden --write"
+        assert free is not None, "occgrid-parity golden --write"
+        assert noisy is not None, "occgrid-parity golden --write"
         if "\nPOSE" not in text:
             assert list(free.scans) == list(noisy.scans), scenario.name

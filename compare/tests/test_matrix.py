@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from parity.building import Built
-from parity.modes import DEFAULT_MODES
-from parity.outputs import SUFFIXES
-from parity.ports import Port
-from parity.record import RunRecord
-from parity.running import Plan, run
-from parity.scenarios import choose_scenarios
-from parity.table import explain
+from occgrid_parity.compare.matrix_run import Plan, run
+from occgrid_parity.compare.run_record import RunRecord
+from occgrid_parity.formats.map_files import SUFFIXES
+from occgrid_parity.ports.building import Built
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.report.run_table import explain
+from occgrid_parity.suite.modes import DEFAULT_MODES
+from occgrid_parity.suite.scenarios import choose_scenarios
 
 from .conftest import JOBS, PORTS, ROOT
 

@@ -10,11 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from parity.errors import OutputError
-from parity.golden import hashes_text, read_hashes
-from parity.logodds import bits, hash_log_odds, read_log_odds
-from parity.outputs import read_map, scenario_name
-from parity.pgm import read_any_pgm, read_pgm
+from occgrid_parity.formats.errors import OutputError
+from occgrid_parity.formats.log_odds import bits, hash_log_odds, read_log_odds
+from occgrid_parity.formats.map_files import read_map, scenario_name
+from occgrid_parity.formats.pgm import read_any_pgm, read_pgm
+from occgrid_parity.suite.golden import hashes_text, read_hashes
 
 
 def test_reads_a_picture_top_row_first(tmp_path: Path) -> None:

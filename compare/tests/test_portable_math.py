@@ -11,10 +11,10 @@ from fractions import Fraction
 
 import pytest
 
-from parity.pool import side_by_side
-from parity.ports import Port
-from parity.probing import ProbeError, run_probe
-from parity.processes import run_process
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.ports.probing import ProbeError, run_probe
+from occgrid_parity.processes.pool import side_by_side
+from occgrid_parity.processes.process_group import run_process
 
 from .conftest import JOBS, PORTS, ROOT, unavailable
 

@@ -8,7 +8,13 @@ from pathlib import Path
 
 import pytest
 
-from parity.ports import Port, PortError, expand, find_ports, read_port
+from occgrid_parity.ports.declaration import (
+    Port,
+    PortError,
+    expand,
+    find_ports,
+    read_port,
+)
 
 GOOD = {
     "name": '"a"',

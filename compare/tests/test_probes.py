@@ -7,9 +7,9 @@ from collections.abc import Callable
 
 import pytest
 
-from parity.pool import side_by_side
-from parity.ports import Port
-from parity.probing import ProbeError, run_probe
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.ports.probing import ProbeError, run_probe
+from occgrid_parity.processes.pool import side_by_side
 
 from .conftest import JOBS, PORTS
 

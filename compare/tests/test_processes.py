@@ -10,7 +10,11 @@ from pathlib import Path
 
 import pytest
 
-from parity.processes import Finished, Stopped, run_process
+from occgrid_parity.processes.process_group import (
+    Finished,
+    Stopped,
+    run_process,
+)
 
 
 def run_python(

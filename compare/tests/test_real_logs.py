@@ -13,14 +13,14 @@ from pathlib import Path
 
 import pytest
 
-from parity.building import Built
-from parity.carmen import Request, Selection, make_scenario
-from parity.modes import NOISE_FREE
-from parity.ports import Port
-from parity.record import RunRecord
-from parity.running import REFERENCE, Plan, run
-from parity.scenarios import scenario_from
-from parity.table import explain
+from occgrid_parity.compare.matrix_run import REFERENCE, Plan, run
+from occgrid_parity.compare.run_record import RunRecord
+from occgrid_parity.logs.carmen import Request, Selection, make_scenario
+from occgrid_parity.ports.building import Built
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.report.run_table import explain
+from occgrid_parity.suite.modes import NOISE_FREE
+from occgrid_parity.suite.scenarios import scenario_from
 
 from .conftest import JOBS, PORTS, ROOT, unavailable
 

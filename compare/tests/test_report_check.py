@@ -1,4 +1,4 @@
-"""What `parity check` writes beside its text: the page, JUnit XML and an autograder's results."""
+"""What `occgrid-parity check` writes beside its text: the page, JUnit XML and an autograder's results."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from xml.etree import ElementTree
 import pytest
 from typer.testing import CliRunner
 
-from parity.checking.check import check
-from parity.checking.verdict import from_json
-from parity.cli import app
-from parity.mistakes.mapper import Mapper
-from parity.report.gradescope import gradescope_json
+from occgrid_parity.check.verdict import from_json
+from occgrid_parity.check.whole_check import check
+from occgrid_parity.commands.app import app
+from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.report.gradescope import gradescope_json
 
 from .check_helpers import MapperRunner
 

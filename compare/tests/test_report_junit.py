@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
-from parity.report.junit import junit_xml
+from occgrid_parity.report.junit import junit_xml
 
 from .reported import Ran
 

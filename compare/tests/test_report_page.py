@@ -20,8 +20,8 @@ from playwright.sync_api import (
 from occgrid.map_writer import pixels
 from occgrid.mapper import map_scenario
 from occgrid.scenario import read_scenario
-from parity.outputs import read_map
-from parity.report.page import write_page
+from occgrid_parity.formats.map_files import read_map
+from occgrid_parity.report.run_page import write_page
 
 from .conftest import ROOT
 from .reported import Ran

@@ -12,15 +12,25 @@ import pytest
 from rich.console import Console
 from typer.testing import CliRunner
 
-from parity.cli import app
-from parity.golden import golden_files, hashes_text
-from parity.logodds import hash_log_odds, read_log_odds
-from parity.modes import DEFAULT_MODES, NOISE_FREE, Mode
-from parity.ports import Port, find_ports
-from parity.record import Result, RunRecord, from_json, to_json
-from parity.running import Plan, prepare_folder, run
-from parity.scenarios import BUILT_IN_NAME, choose_scenarios
-from parity.table import explain, footnotes, matrix_table, summary
+from occgrid_parity.commands.app import app
+from occgrid_parity.compare.matrix_run import Plan, prepare_folder, run
+from occgrid_parity.compare.run_record import (
+    Result,
+    RunRecord,
+    from_json,
+    to_json,
+)
+from occgrid_parity.formats.log_odds import hash_log_odds, read_log_odds
+from occgrid_parity.ports.declaration import Port, find_ports
+from occgrid_parity.report.run_table import (
+    explain,
+    footnotes,
+    matrix_table,
+    summary,
+)
+from occgrid_parity.suite.golden import golden_files, hashes_text
+from occgrid_parity.suite.modes import DEFAULT_MODES, NOISE_FREE, Mode
+from occgrid_parity.suite.scenarios import BUILT_IN_NAME, choose_scenarios
 
 Fake = Callable[..., Port]
 

@@ -18,7 +18,7 @@ from occgrid.scenario import read_scenario
 from occgrid_handouts.languages import Language
 from occgrid_handouts.platform_math import search_path
 from occgrid_handouts.snippets import source_files
-from parity.ports import Port, find_ports
+from occgrid_parity.ports.declaration import Port, find_ports
 
 Array = npt.NDArray[np.float64]
 
@@ -93,7 +93,7 @@ def _port_maps(language: Language, found: Mapping[str, int | str]) -> PortMaps:
 
 
 def earlier_map(root: Path, language: Language, mode: str) -> Path | None:
-    """The map that an earlier build or ``parity run`` left, if it is newer than what the port is made of."""
+    """The map that an earlier build or ``occgrid-parity run`` left, if it is newer than what the port is made of."""
     of_run = root / "build/parity" / language.id / mode.replace("_", "-")
     inputs = [root / SCENARIO]
     inputs += [root / language.folder / name for name in BUILT_BY]
@@ -150,7 +150,7 @@ def _run(port: Port, root: Path, folder: Path, words: Sequence[str]) -> str:
             timeout=port.timeout,
         )
     except OSError:
-        return f"parity build {port.name}"
+        return f"occgrid-parity build {port.name}"
     except subprocess.TimeoutExpired:
         return f"took over {port.timeout:g} s"
     if done.returncode != 0:

@@ -1,1 +1,1 @@
-"""Tests of `parity check`."""
+"""Tests of `occgrid-parity check`."""

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from parity.checking.verdict import Verdict, from_json
+from occgrid_parity.check.verdict import Verdict, from_json
 
 from ..check_helpers import PROGRAMS
 from ..conftest import ROOT, unavailable
@@ -34,9 +34,9 @@ class Installed:
         )
 
     def check(self, words: str, out: Path, *options: str) -> Verdict:
-        """The verdict of ``parity check --run words``, whose exit status must be the verdict's."""
+        """The verdict of ``occgrid-parity check --run words``, whose exit status must be the verdict's."""
         arguments = ["--run", words, "--out", str(out), *options]
-        ended = self.run("parity", "check", *arguments)
+        ended = self.run("occgrid-parity", "check", *arguments)
         record = out / "verdict.json"
         assert record.is_file(), ended.stdout + ended.stderr
         verdict = from_json(record.read_text())
@@ -54,9 +54,7 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Installed:
     for path in PROGRAMS.iterdir():
         if path.suffix in (".pl", ".awk"):
             (programs / path.name).write_bytes(path.read_bytes())
-    build = ["-m", "build", "--wheel", "--no-isolation", "-o"]
-    _run([sys.executable, *build, str(folder / "dist"), str(ROOT)], folder)
-    (wheel,) = (folder / "dist").glob("*.whl")
+    wheel = build_wheel(ROOT, folder / "dist")
     _run([sys.executable, "-m", "venv", str(folder / "venv")], folder)
     pip = [str(folder / "venv" / "bin" / "python"), "-m", "pip"]
     options = ["--disable-pip-version-check", "-q", "-c"]
@@ -66,6 +64,14 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Installed:
     except subprocess.CalledProcessError as error:
         unavailable(f"the wheel cannot be installed: {error.stderr}")
     return Installed(folder / "venv" / "bin", folder)
+
+
+def build_wheel(source: Path, target: Path) -> Path:
+    """Builds the wheel of a source tree into ``target``, a new folder."""
+    build = ["-m", "build", "--wheel", "--no-isolation", "-o"]
+    _run([sys.executable, *build, str(target), str(source)], target.parent)
+    (wheel,) = target.glob("*.whl")
+    return wheel
 
 
 def _run(command: list[str], folder: Path) -> None:

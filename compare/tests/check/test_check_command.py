@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from parity.checking.suite import scenario_folder
-from parity.checking.verdict import from_json
-from parity.cli import app
+from occgrid_parity.check.verdict import from_json
+from occgrid_parity.commands.app import app
+from occgrid_parity.suite.scenario_text import scenario_folder
 
 from ..check_helpers import PROGRAMS
 
@@ -56,7 +56,7 @@ def test_a_wrong_program_ends_with_1_and_can_be_seen_again(
     command = next(
         line.strip()
         for line in text.splitlines()
-        if line.strip().startswith("parity check")
+        if line.strip().startswith("occgrid-parity check")
     )
     words = shlex.split(command)[1:]
     result = CliRunner().invoke(

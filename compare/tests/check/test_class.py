@@ -11,11 +11,11 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from parity.checking.classes import SUMMARY, check_class
-from parity.checking.sandbox import MEBI, Limits
-from parity.checking.suite import scenario_folder
-from parity.checking.verdict import from_json
-from parity.progress import ConsoleProgress
+from occgrid_parity.check.class_run import SUMMARY, check_class
+from occgrid_parity.check.verdict import from_json
+from occgrid_parity.commands.console_progress import ConsoleProgress
+from occgrid_parity.processes.limits import MEBI, Limits
+from occgrid_parity.suite.scenario_text import scenario_folder
 
 GOLDEN = scenario_folder() / "golden"
 
@@ -149,9 +149,9 @@ def test_nothing_of_them_is_left(
             place = (process / "cwd").readlink()
         except OSError:
             continue
-        if command.startswith(b"sleep\x001000") and "parity-check-" in str(
-            place
-        ):
+        if command.startswith(
+            b"sleep\x001000"
+        ) and "occgrid-parity-check-" in str(place):
             left.append(command)
     assert left == []
     assert folder.exists()

@@ -7,18 +7,18 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from parity.checking.check import Options, check
-from parity.checking.explaining import explain_difference
-from parity.checking.reference import reference_map, world_of
-from parity.checking.rounding import beams_of
-from parity.checking.suite import Case, case
-from parity.checking.text import verdict_text
-from parity.first_difference.drawing import draw_patch
-from parity.first_difference.shorten import Shortener
-from parity.logodds import bits
-from parity.mistakes.catalogue import MISTAKES
-from parity.mistakes.mapper import Mapper
-from parity.modes import NOISE_FREE, Mode
+from occgrid_parity.check.verdict_text import verdict_text
+from occgrid_parity.check.whole_check import Options, check
+from occgrid_parity.explain.cell_drawing import draw_patch
+from occgrid_parity.explain.first_difference import explain_difference
+from occgrid_parity.explain.shorter_scenarios import Shortener
+from occgrid_parity.formats.log_odds import bits
+from occgrid_parity.mistakes.catalogue import MISTAKES
+from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.rounding import beams_of
+from occgrid_parity.suite.modes import NOISE_FREE, Mode
+from occgrid_parity.suite.scenario_text import Case, case
 
 from ..check_helpers import MapperRunner, wrong_beam
 

@@ -6,18 +6,18 @@ import numpy as np
 import pytest
 
 from occgrid.world import Pose
-from parity.checking.check import Options, check
-from parity.checking.levels import SEEDS
-from parity.checking.reference import reference_map, world_of
-from parity.checking.suite import case, scenario_folder
-from parity.checking.wording import LESSON_ONLY, OWN_NOISE
-from parity.logodds import bits
-from parity.mistakes.arithmetic import PLATFORM
-from parity.mistakes.catalogue import MISTAKES, only_noise
-from parity.mistakes.mapper import Array, Mapper
-from parity.mistakes.page import COLUMNS, PAGE, page, table
-from parity.modes import Mode
-from parity.repository import find_root
+from occgrid_parity.check.levels import SEEDS
+from occgrid_parity.check.whole_check import Options, check
+from occgrid_parity.check.wording import LESSON_ONLY, OWN_NOISE
+from occgrid_parity.formats.log_odds import bits
+from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
+from occgrid_parity.model.arithmetic import PLATFORM
+from occgrid_parity.model.mapper_steps import Array, Mapper
+from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.report.mistakes_page import COLUMNS, PAGE, page, table
+from occgrid_parity.suite.modes import Mode
+from occgrid_parity.suite.repository import find_root
+from occgrid_parity.suite.scenario_text import case, scenario_folder
 
 from ..check_helpers import MapperRunner, check_mapper, names
 
@@ -74,7 +74,7 @@ def test_some_mistakes_are_caught_by_one_scenario_only(
 
 def test_the_page_is_what_the_code_says(caught: dict[str, list[str]]) -> None:
     assert (find_root() / PAGE).read_text(encoding="utf-8") == page(caught), (
-        "run parity mistakes --write"
+        "run occgrid-parity mistakes --write"
     )
 
 

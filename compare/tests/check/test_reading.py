@@ -6,10 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from parity.checking.programs import program_from_command, program_from_port
-from parity.checking.reading import Observed, Unreadable, read_map
-from parity.modes import NOISE_FREE, Mode
-from parity.ports import PortError
+from occgrid_parity.ports.declaration import PortError
+from occgrid_parity.programs.observed_map import Observed, Unreadable, read_map
+from occgrid_parity.programs.program import (
+    program_from_command,
+    program_from_port,
+)
+from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 GOOD = b"P2\n3 2\n255\n0 128 255\n7 8 9\n"
 

@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from occgrid.sensor import Scan
-from parity.checking.check import check
-from parity.checking.closeness import compare, grey_levels
-from parity.checking.reading import Observed
-from parity.checking.reference import reference_map, world_of
-from parity.checking.rounding import beams_of
-from parity.checking.suite import TWIN, case
-from parity.mistakes.arithmetic import PLATFORM
-from parity.mistakes.lines import contract_lines
-from parity.mistakes.mapper import Cells, Drawn, Mapper, Traced
-from parity.modes import NOISE_FREE, Mode
+from occgrid_parity.check.whole_check import check
+from occgrid_parity.explain.closeness import compare, grey_levels
+from occgrid_parity.model.arithmetic import PLATFORM
+from occgrid_parity.model.line_cells import contract_lines
+from occgrid_parity.model.mapper_steps import Cells, Drawn, Mapper, Traced
+from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.rounding import beams_of
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.modes import NOISE_FREE, Mode
+from occgrid_parity.suite.scenario_text import TWIN, case
 
 from ..check_helpers import MapperRunner, wrong_beam
 

@@ -3,7 +3,7 @@
 import sys
 from pathlib import Path
 
-from parity.mistakes.catalogue import MISTAKES, read_world
+from occgrid_parity.mistakes.catalogue import MISTAKES, read_world
 
 mistake, *mode, out, scenario = sys.argv[1:]
 seed = int(mode[1]) if mode[0] == "--seed" else None

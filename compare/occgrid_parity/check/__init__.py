@@ -1,0 +1,1 @@
+"""The check of a program: level after level, then the verdict."""

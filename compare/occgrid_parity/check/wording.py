@@ -1,0 +1,91 @@
+"""The sentences of a verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from occgrid_parity.check.verdict import CaseResult
+from occgrid_parity.explain.closeness import Compared
+from occgrid_parity.model.rounding import Beams
+
+NAMED_BEAMS = 12
+
+
+def plural(count: int, one: str, many: str | None = None) -> str:
+    """``1 beam``, ``2 beams``."""
+    return f"{count} {one if count == 1 else many or one + 's'}"
+
+
+def size(shape: tuple[int, ...]) -> str:
+    """``220 x 180`` of an array (height, width)."""
+    return f"{shape[1]} x {shape[0]}"
+
+
+def beam_pairs(beams: Beams | None, chosen: Sequence[int]) -> list[list[int]]:
+    """[scan, beam] of beams that are counted over all scans."""
+    if beams is None:
+        return []
+    return [[int(beams.scan[i]), int(beams.number[i])] for i in chosen]
+
+
+def name_beams(pairs: Sequence[Sequence[int]]) -> str:
+    """``scan 77 beam 79, scan 78 beam 71``."""
+    named = [f"scan {scan} beam {beam}" for scan, beam in pairs[:NAMED_BEAMS]]
+    more = len(pairs) - len(named)
+    return ", ".join(named) + (f" and {more} more" if more > 0 else "")
+
+
+def compared_words(compared: Compared) -> str:
+    """How one map compares."""
+    said = []
+    if compared.status == "differs":
+        total = compared.wrong.size
+        wrong = int(compared.unexplained.sum()) or int(compared.wrong.sum())
+        told = "rounding does not explain them"
+        if not compared.together:
+            told = "no choice of sides for the beams that end on a cell edge explains them all"
+        return f"{wrong} of {total} cells differ, and {told}"
+    if compared.status == "edges":
+        pairs = beam_pairs(compared.beams, compared.edge_beams)
+        said.append(
+            f"differs only where an endpoint lies on a cell edge ({name_beams(pairs)})"
+        )
+    if compared.halves:
+        values = plural(compared.halves, "grey value")
+        said.append(f"{values} halfway between two levels went the other way")
+    if compared.steps is not None:
+        said.append(
+            "its logarithm has other last bits: it adds "
+            f"{compared.steps[0]!r} and {compared.steps[1]!r}, and with these every bit is the same"
+        )
+    return "; ".join(said) or "identical"
+
+
+def case_result(
+    name: str, mode: str, compared: Compared, seconds: float
+) -> CaseResult:
+    """The record of one comparison."""
+    return CaseResult(
+        scenario=name,
+        mode=mode,
+        status=compared.status,
+        seconds=round(seconds, 3),
+        message=compared_words(compared),
+        cells=int(compared.wrong.sum()),
+        total=int(compared.wrong.size),
+        halves=compared.halves,
+        edge_beams=beam_pairs(compared.beams, compared.edge_beams),
+        steps=[]
+        if compared.steps is None
+        else list(map(repr, compared.steps)),
+    )
+
+
+LESSON_ONLY = "everything but the lesson: the command has no {scenario}, so the program has only the lesson built in"
+NO_SEED = "seeded noise: the command has neither {mode} nor {seed}, so the program is taken as noise-free"
+PIXELS_ONLY = "log-odds: the program writes no .logodds file, so only pixels are compared"
+NO_TWIN = "the well-conditioned lesson, which would tell rounding from error once more"
+OWN_NOISE = (
+    "the lesson's programs add noise to every range, from a generator that no other language has; if this program "
+    "does, too, check it with a standard deviation of 0, or with the noise of SPEC.md section 3.3 and {seed}"
+)

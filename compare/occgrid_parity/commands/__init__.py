@@ -1,0 +1,1 @@
+"""The command ``occgrid-parity``, one module for each of its commands."""

@@ -1,0 +1,92 @@
+"""Runs one port over scenarios: in one process where it takes many, else one each."""
+
+from __future__ import annotations
+
+import shutil
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.processes.process_group import Finished, run_process
+from occgrid_parity.suite.modes import Mode
+from occgrid_parity.suite.scenarios import ScenarioFile
+
+
+@dataclass(frozen=True)
+class Mapped:
+    """A process and the scenarios that it was given; their files lie in ``folder``."""
+
+    port: Port
+    mode: Mode
+    scenarios: tuple[ScenarioFile, ...]
+    folder: Path
+    finished: Finished
+
+
+def batches(
+    port: Port, scenarios: Sequence[ScenarioFile]
+) -> list[list[ScenarioFile]]:
+    """The scenarios as they go to processes: the built-in lesson alone."""
+    files = [scenario for scenario in scenarios if scenario.path is not None]
+    alone = [[scenario] for scenario in scenarios if scenario.path is None]
+    if not files:
+        return alone
+    return alone + ([files] if port.takes_many else [[file] for file in files])
+
+
+def map_batch(
+    port: Port,
+    mode: Mode,
+    batch: Sequence[ScenarioFile],
+    folder: Path,
+    stop: threading.Event | None = None,
+) -> list[Mapped]:
+    """Maps a batch; where that fails, each scenario of it again in its own process.
+
+    So one bad scenario does not take the results of the others with it. ``folder``
+    is the port's and mode's; what is in it of earlier runs is removed.
+    """
+    if len(batch) == 1:
+        return [_run(port, mode, batch, folder / _place(batch[0]), stop)]
+    together = _run(port, mode, batch, folder / "scenarios", stop)
+    if (
+        together.finished.succeeded
+        or together.finished.start_error is not None
+    ):
+        return [together]
+    return [
+        _run(port, mode, [one], folder / _place(one), stop) for one in batch
+    ]
+
+
+def _place(scenario: ScenarioFile) -> str:
+    """The folder of a scenario that is mapped alone."""
+    return "built-in" if scenario.path is None else f"scenario-{scenario.name}"
+
+
+def _run(
+    port: Port,
+    mode: Mode,
+    batch: Sequence[ScenarioFile],
+    out: Path,
+    stop: threading.Event | None,
+) -> Mapped:
+    """One process, with an empty folder to write into."""
+    if out.exists():
+        shutil.rmtree(out)
+    out.mkdir(parents=True)
+    files = [scenario.path for scenario in batch if scenario.path is not None]
+    command = port.command(
+        port.run, mode=mode.arguments, out=out, scenario=files, scenarios=files
+    )
+    finished = run_process(
+        command,
+        cwd=port.folder,
+        stdout=out.with_name(f"{out.name}.stdout"),
+        stderr=out.with_name(f"{out.name}.stderr"),
+        time_limit=port.timeout * len(batch),
+        stop=stop,
+    )
+    return Mapped(port, mode, tuple(batch), out, finished)

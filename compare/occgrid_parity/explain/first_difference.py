@@ -1,0 +1,106 @@
+"""Where a map first differs, found by running the program on shorter scenarios, or told by the map alone."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from occgrid_parity.check.verdict import FirstDifference
+from occgrid_parity.explain.closeness import compare
+from occgrid_parity.explain.difference_record import (
+    report_deduced,
+    report_found,
+)
+from occgrid_parity.explain.difference_search import (
+    SearchFailed,
+    Trial,
+    search,
+)
+from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.programs.runner import Runner
+from occgrid_parity.suite.modes import Mode
+from occgrid_parity.suite.scenario_text import Case
+
+MINIMAL = "first-difference.log"
+
+
+class _Trials:
+    """Runs the program on shortened scenarios and counts the runs."""
+
+    def __init__(self, runner: Runner, mode: Mode, strict: bool) -> None:
+        self.runner = runner
+        self.mode = mode
+        self.strict = strict
+        self.runs = 0
+        self.known: dict[str, Trial] = {}
+
+    def judge(self, case: Case, observed: Observed) -> Trial:
+        compared = compare(observed, case, self.mode)
+        wanted = (
+            {"identical"} if self.strict else {"identical", "halves", "edges"}
+        )
+        return Trial(case, observed, compared, compared.status not in wanted)
+
+    def attempt(self, case: Case) -> Trial:
+        if case.digest not in self.known:
+            self.runs += 1
+            outcome = self.runner.run(case, self.mode)
+            if outcome.observed is None:
+                raise SearchFailed(
+                    f"on a part of the scenario the program fails ({outcome.word}: {outcome.message})"
+                )
+            expected = reference_map(case, self.mode).pixels.shape
+            if outcome.observed.pixels.shape != expected:
+                raise SearchFailed(
+                    "on a part of the scenario its map has another size"
+                )
+            self.known[case.digest] = self.judge(case, outcome.observed)
+        return self.known[case.digest]
+
+
+class Explained(NamedTuple):
+    """The first difference, how many runs it took, and of the maps that show it the one with the fewest scans."""
+
+    difference: FirstDifference | None
+    runs: int = 0
+    short: Trial | None = None
+
+
+def explain_difference(
+    runner: Runner,
+    case: Case,
+    mode: Mode,
+    observed: Observed,
+    strict: bool,
+    save: Path | None,
+) -> Explained:
+    """Where the map first differs.
+
+    ``strict``: what rounding explains counts as a difference, too. The minimal scenario is written into ``save``.
+    """
+    if not case.is_file:
+        return Explained(report_deduced(case, mode, observed, own_poses=True))
+    trials = _Trials(runner, mode, strict)
+    try:
+        found = search(
+            case, mode, trials.judge(case, observed), trials.attempt
+        )
+    except SearchFailed as failed:
+        deduced = report_deduced(case, mode, observed, own_poses=False)
+        if deduced is not None:
+            deduced = replace(
+                deduced, undetermined=[str(failed)], runs=trials.runs
+            )
+        return Explained(deduced, trials.runs)
+    report = report_found(case, mode, found, trials.runs)
+    if save is not None:
+        save.mkdir(parents=True, exist_ok=True)
+        file = save / MINIMAL
+        file.write_bytes(found.trial.case.data)
+        command = f"occgrid-parity check {runner.option} --scenario {file} --mode {mode.name}"
+        report = replace(report, scenario_file=str(file), command=command)
+    shown = [found.trial, found.prefix or found.trial]
+    short = min(shown, key=lambda trial: len(world_of(trial.case).scans))
+    return Explained(report, trials.runs, short)

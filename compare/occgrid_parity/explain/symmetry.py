@@ -1,0 +1,47 @@
+"""The eight symmetries of a picture: turned, flipped, transposed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from occgrid_parity.explain.closeness import compare
+from occgrid_parity.formats.pgm import Pixels
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.modes import Mode
+from occgrid_parity.suite.scenario_text import Case
+
+Turn = Callable[[Pixels], Pixels]
+
+# what a picture is of the right one, and how to turn it back
+SYMMETRIES: dict[str, Turn] = {
+    "the reference flipped vertically (upside down)": lambda p: p[::-1],
+    "the reference mirrored left to right": lambda p: p[:, ::-1],
+    "the reference turned by 180 degrees": lambda p: p[::-1, ::-1],
+    "the reference transposed (rows and columns exchanged)": lambda p: (
+        p[::-1, ::-1].T
+    ),
+    "the reference transposed as a picture (rows and columns exchanged, counted from the top)": lambda p: (
+        p.T
+    ),
+    "the reference turned by 90 degrees to the left": lambda p: np.rot90(
+        p, -1
+    ),
+    "the reference turned by 90 degrees to the right": lambda p: np.rot90(p),
+}
+
+
+def orientation(observed: Observed, case: Case, mode: Mode) -> list[str]:
+    """Which symmetries, the identity apart, turn the map into the reference's picture."""
+    found = []
+    expected = reference_map(case, mode).pixels.shape
+    for name, back in SYMMETRIES.items():
+        turned = back(observed.pixels)
+        if turned.shape != expected:
+            continue
+        picture = Observed(np.ascontiguousarray(turned), None, "")
+        if compare(picture, case, mode).status != "differs":
+            found.append(name)
+    return found

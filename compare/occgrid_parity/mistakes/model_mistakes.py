@@ -1,0 +1,210 @@
+"""Mistakes in the log-odds, their bounds, and the picture made from them (lesson sections 3 to 5)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Traced
+
+UPDATE = "section 3 (log-odds form) and Problem 2"
+CLAMP = "section 5, clamping / saturation"
+PICTURE = "section 6 (the plots of P(occupied)); SPEC.md section 2.6"
+
+
+class PriorNotSubtracted(Mapper):
+    name = "prior-not-subtracted"
+    title = "the prior is not subtracted in the update"
+    lesson = (
+        "The update adds the inverse model's log-odds and subtracts the prior's, or the prior is counted again with "
+        "every beam. With p0 = 0.5 the prior is 0 and nobody notices."
+    )
+    where = UPDATE
+
+    def steps(self) -> tuple[float, float]:
+        return self.l_free, self.l_occ
+
+
+class StartsAtZero(Mapper):
+    name = "starts-at-zero"
+    title = "cells start at log-odds 0, not at the prior's"
+    lesson = "Every cell starts at logit(p0), which is 0 only for p0 = 0.5."
+    where = "section 1 (first flow chart) and 6.1 (log_odds is filled with l0)"
+
+    def start(self) -> float:
+        return 0.0
+
+
+class ModelSwapped(Mapper):
+    name = "free-and-occupied-swapped"
+    title = "p_occ and p_free are swapped"
+    lesson = "p_occ is above 0.5 and belongs to the cell of the hit, p_free is below it and belongs to those before."
+    where = "section 4, the design choices p_occ > 0.5 and p_free < 0.5"
+
+    def steps(self) -> tuple[float, float]:
+        return self.l_occ - self.l0, self.l_free - self.l0
+
+
+class ComplementUpdated(Mapper):
+    name = "complement-updated"
+    title = "p and 1 - p are swapped in the update"
+    lesson = "The log-odds are those of occupied: log(p / (1 - p)). Turned round, evidence counts against itself."
+    where = UPDATE
+
+    def steps(self) -> tuple[float, float]:
+        return -(self.l_free - self.l0), -(self.l_occ - self.l0)
+
+
+class CommonLogarithm(Mapper):
+    name = "common-logarithm"
+    title = "log-odds are taken with the logarithm of base 10"
+    lesson = "logit and sigmoid belong together: the sigmoid has e, so the logit has the natural logarithm."
+    where = "section 3; 6.1 (math.log)"
+
+    def logit(self, p: float) -> float:
+        q = min(max(p, 1e-9), 1.0 - 1e-9)
+        return math.log10(q / (1.0 - q))
+
+
+class NoClamp(Mapper):
+    name = "no-clamp"
+    title = "log-odds are not clamped"
+    lesson = (
+        "Log-odds are kept within [l_min, l_max]. Without it, evidence piles up without bound, and a cell needs as "
+        "much of the opposite to change its mind."
+    )
+    where = CLAMP
+
+    def clamp(self, log_odds: Array) -> Array:
+        return log_odds
+
+
+class ClampAtEnd(Mapper):
+    name = "clamp-at-the-end"
+    title = "log-odds are clamped once, after the last scan"
+    lesson = (
+        "Each update is clamped at once. Clamped only at the end, evidence above the bound is still there when the "
+        "opposite evidence comes."
+    )
+    where = CLAMP + "; 6.1 (update_cell_logodds clamps each update)"
+
+    def clamp(self, log_odds: Array) -> Array:
+        return log_odds
+
+    def finish(self, log_odds: Array) -> Array:
+        return super().clamp(log_odds)
+
+
+class ClampWithoutLower(Mapper):
+    name = "no-lower-clamp"
+    title = "log-odds are clamped at l_max only"
+    lesson = (
+        "Both bounds hold: free cells stop at l_min, occupied ones at l_max."
+    )
+    where = CLAMP
+
+    def clamp(self, log_odds: Array) -> Array:
+        return np.minimum(log_odds, self.settings.l_max)
+
+
+class OncePerScan(Mapper):
+    name = "once-per-scan"
+    title = (
+        "each cell is updated once per scan, by the first beam that crosses it"
+    )
+    lesson = (
+        "The lesson's flow chart updates the cells beam by beam: a cell that several beams of one scan cross gets "
+        "several updates."
+    )
+    where = "section 4, second flow chart"
+
+    def within_scan(self, traced: Traced) -> Traced:
+        _, first = np.unique(_keys(traced), return_index=True)
+        return traced.where(np.sort(first))
+
+
+class OncePerScanOccupiedWins(Mapper):
+    name = "once-per-scan-occupied-wins"
+    title = (
+        "each cell is updated once per scan, as occupied if any beam hit it"
+    )
+    lesson = (
+        "The lesson's flow chart updates the cells beam by beam: a cell that several beams of one scan cross gets "
+        "several updates, free and occupied ones."
+    )
+    where = "section 4, second flow chart"
+
+    def within_scan(self, traced: Traced) -> Traced:
+        order = np.argsort(~traced.occupied, kind="stable")
+        occupied_first = traced.where(order)
+        _, first = np.unique(_keys(occupied_first), return_index=True)
+        return occupied_first.where(first)
+
+
+def _keys(traced: Traced) -> Cells:
+    """One number for each cell."""
+    low = np.min(traced.gx, initial=0)
+    span = np.max(traced.gx, initial=0) - low + 1
+    return traced.gy * span + (traced.gx - low)
+
+
+class PictureInverted(Mapper):
+    name = "picture-inverted"
+    title = "p and 1 - p are swapped in the picture"
+    lesson = "A pixel shows 1 - p: occupied cells are black (0), free ones white (255), as in map_server's pictures."
+    where = PICTURE
+
+    def pixel(self, p: Array) -> Array:
+        return np.floor(p * 255.0 + 0.5)
+
+
+class PixelHalfEven(Mapper):
+    name = "pixel-half-even"
+    title = "pixels are rounded with halves to even numbers"
+    lesson = (
+        "A pixel is floor((1 - p) * 255 + 0.5), so halves go up. Python's and NumPy's round take them to the nearest "
+        "even number: a cell freed once has 178.5, and gets 178 in place of 179."
+    )
+    where = PICTURE
+
+    def pixel(self, p: Array) -> Array:
+        return np.rint((1.0 - p) * 255.0)
+
+
+class PixelTruncated(Mapper):
+    name = "pixel-truncated"
+    title = "pixels are cut off, not rounded"
+    lesson = "A pixel is floor((1 - p) * 255 + 0.5), the nearest grey level. Cutting off darkens the map by one level."
+    where = PICTURE
+
+    def pixel(self, p: Array) -> Array:
+        return np.floor((1.0 - p) * 255.0)
+
+
+class PixelOf256(Mapper):
+    name = "pixel-of-256"
+    title = "pixels are scaled by 256"
+    lesson = "Grey levels go from 0 to 255, so 1 - p is multiplied by 255."
+    where = PICTURE
+
+    def pixel(self, p: Array) -> Array:
+        return np.minimum(np.floor((1.0 - p) * 256.0), 255.0)
+
+
+MISTAKES: tuple[type[Mapper], ...] = (
+    PriorNotSubtracted,
+    StartsAtZero,
+    ModelSwapped,
+    ComplementUpdated,
+    CommonLogarithm,
+    NoClamp,
+    ClampAtEnd,
+    ClampWithoutLower,
+    OncePerScan,
+    OncePerScanOccupiedWins,
+    PictureInverted,
+    PixelHalfEven,
+    PixelTruncated,
+    PixelOf256,
+)

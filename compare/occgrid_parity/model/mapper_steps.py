@@ -1,0 +1,305 @@
+"""The contract once more, one short method for each step, so that a mistake can be planted in one of them.
+
+Without a mistake it draws the same bits as the reference; a test holds it to that.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator, Sequence
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from occgrid.scenario import Settings
+from occgrid.sensor import Scan
+from occgrid.world import Pose, Segment
+from occgrid_parity.model import arithmetic
+from occgrid_parity.model.arithmetic import Arithmetic
+from occgrid_parity.model.line_cells import Lines, contract_lines
+
+Array = npt.NDArray[np.float64]
+Cells = npt.NDArray[np.int64]
+Mask = npt.NDArray[np.bool_]
+
+TWO_PI = 6.283185307179586
+BATCH_CELLS = 1 << 20
+
+
+class Drawn(NamedTuple):
+    """A map: log-odds (height, width), smallest y first; pixels in the file's order, largest y first."""
+
+    log_odds: Array
+    pixels: Cells
+
+
+class Traced(NamedTuple):
+    """Updates in order: the scan and the cell of each, and whether it is occupied; all (n,)."""
+
+    scan: Cells
+    gx: Cells
+    gy: Cells
+    occupied: Mask
+
+    def where(self, chosen: Cells) -> Traced:
+        """Some of the updates, or all of them in another order."""
+        return Traced(
+            self.scan[chosen],
+            self.gx[chosen],
+            self.gy[chosen],
+            self.occupied[chosen],
+        )
+
+
+class World(NamedTuple):
+    """What a scenario file holds."""
+
+    settings: Settings
+    walls: Sequence[Segment]
+    scans: Sequence[Pose | Scan]
+
+
+@functools.lru_cache(2048)
+def _cast(
+    walls: tuple[Segment, ...],
+    x: float,
+    y: float,
+    beam: bytes,
+    z_max: float,
+    numbers: Arithmetic,
+) -> Array:
+    """Ranges along directions (3.2); kept, since most mistakes see the same ranges."""
+    rdx, rdy = arithmetic.directions(np.frombuffer(beam), numbers)
+    nearest = np.full(rdx.shape, np.inf)
+    for wall in walls:
+        sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
+        qpx, qpy = wall.x0 - x, wall.y0 - y
+        rxs = rdx * sy - rdy * sx
+        parallel = np.abs(rxs) < 1e-12
+        rxs = np.where(parallel, 1.0, rxs)
+        t = (qpx * sy - qpy * sx) / rxs
+        u = (qpx * rdy - qpy * rdx) / rxs
+        meets = ~parallel & (t >= 0.0) & (u >= 0.0) & (u <= 1.0)
+        nearest = np.where(meets & (t < nearest), t, nearest)
+    ranges = np.where(nearest <= z_max, nearest, z_max)
+    ranges.setflags(write=False)
+    return ranges
+
+
+class Mapper:
+    """Maps a world; each method is a step of the contract (SPEC.md has the section numbers)."""
+
+    name: ClassVar[str] = "none"
+    title: ClassVar[str] = "no mistake"
+    lesson: ClassVar[str] = ""
+    where: ClassVar[str] = ""
+
+    def __init__(
+        self,
+        world: World,
+        seed: int | None,
+        numbers: Arithmetic = arithmetic.PORTABLE,
+    ) -> None:
+        self.world = world
+        self.settings = world.settings
+        self.seed = seed
+        self.numbers = numbers
+        self.l0 = self.logit(self.settings.p0)
+        self.l_occ = self.logit(self.settings.p_occ)
+        self.l_free = self.logit(self.settings.p_free)
+
+    def draw(self) -> Drawn:
+        """Maps all scans."""
+        s = self.settings
+        log_odds: Array = np.full(s.height * s.width, self.start())
+        for traced in self.batches():
+            self.apply(log_odds, traced)
+        log_odds = self.finish(log_odds).reshape(s.height, s.width)
+        return Drawn(self.file_order(log_odds), self.picture(log_odds))
+
+    # --- the model (2.2) ---
+
+    def logit(self, p: float) -> float:
+        q = min(max(p, 1e-9), 1.0 - 1e-9)
+        return float(self.numbers.log(np.array([q / (1.0 - q)]))[0])
+
+    def start(self) -> float:
+        return self.l0
+
+    def steps(self) -> tuple[float, float]:
+        """What a free cell and an occupied cell add."""
+        return self.l_free - self.l0, self.l_occ - self.l0
+
+    def clamp(self, log_odds: Array) -> Array:
+        s = self.settings
+        return np.minimum(np.maximum(log_odds, s.l_min), s.l_max)
+
+    def finish(self, log_odds: Array) -> Array:
+        """After the last scan."""
+        return log_odds
+
+    # --- the simulated sensor (3) ---
+
+    def bearings(self) -> Array:
+        n, fov = self.settings.beams, self.settings.fov
+        i = np.arange(n, dtype=np.float64)
+        return np.zeros(1) if n == 1 else -(fov / 2.0) + (fov * i) / (n - 1.0)
+
+    def simulate(self, pose: Pose, angles: Array) -> Array:
+        beam = self.beam(pose.theta, angles)
+        walls = tuple(self.world.walls)
+        z_max = self.settings.max_range
+        return _cast(
+            walls, pose.x, pose.y, beam.tobytes(), z_max, self.numbers
+        )
+
+    def deviate(self, seed: int, scan: int, beams: Cells) -> Array:
+        return arithmetic.normal_deviate(seed, scan, beams, self.numbers)
+
+    def noisy(self, ranges: Array, seed: int, scan: int) -> Array:
+        deviates = self.deviate(seed, scan, np.arange(ranges.size))
+        noise = self.settings.noise_std * deviates
+        return self.clip_range(ranges + noise)
+
+    def clip_range(self, ranges: Array) -> Array:
+        return np.clip(ranges, 0.0, self.settings.max_range)
+
+    def scans(self) -> Iterator[Scan]:
+        angles = self.bearings()
+        for number, scan in enumerate(self.world.scans):
+            if isinstance(scan, Scan):
+                yield scan
+                continue
+            ranges = self.simulate(scan, angles)
+            if self.seed is not None:
+                ranges = self.noisy(ranges, self.seed, number)
+            yield Scan(scan, angles, ranges)
+
+    # --- beams (2.3) ---
+
+    def read(self, ranges: Array) -> tuple[Array, Mask, Mask]:
+        """Distance, hit, used: what ranges mean."""
+        s = self.settings
+        hit = ranges < s.max_range - 1e-12
+        z = np.where(hit, ranges, s.max_range)
+        used = hit if s.no_return == "ignore" else ~np.isnan(ranges)
+        return z, hit, used
+
+    def beam(self, theta: float, angles: Array) -> Array:
+        """Directions in the world."""
+        return theta + angles
+
+    def endpoint(
+        self, pose: Pose, beam: Array, z: Array
+    ) -> tuple[Array, Array]:
+        cos, sin = arithmetic.directions(beam, self.numbers)
+        return pose.x + z * cos, pose.y + z * sin
+
+    # --- the grid (2.1) ---
+
+    def index(self, cells: Array) -> Array:
+        """The whole number of a coordinate in cells."""
+        return np.floor(cells)
+
+    def to_grid(self, x: Array, y: Array) -> tuple[Cells, Cells]:
+        s = self.settings
+        gx = self.index((x - s.origin_x) / s.resolution)
+        gy = self.index((y - s.origin_y) / s.resolution)
+        return gx.astype(np.int64), gy.astype(np.int64)
+
+    def place(self, gx: Cells, gy: Cells) -> tuple[Cells, Mask]:
+        """Where a cell lies in the array of log-odds, and whether it is in the grid."""
+        w, h = self.settings.width, self.settings.height
+        inside = (gx >= 0) & (gx < w) & (gy >= 0) & (gy < h)
+        return gy * w + gx, inside
+
+    # --- the update (2.4, 2.5) ---
+
+    def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
+        """The cells of each beam, in order."""
+        return contract_lines(gx0, gy0, gx1, gy1)
+
+    def evidence(self, lines: Lines, hit: Mask) -> tuple[Lines, Mask]:
+        """Which cells are updated, and which of them as occupied; hit: one for each beam."""
+        return lines, lines.last & hit[lines.beam]
+
+    def kept(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Mask:
+        """Which beams are traced."""
+        return np.ones(gx0.shape, dtype=bool)
+
+    def trace(self, number: int, scan: Scan) -> Traced:
+        """The updates of one scan."""
+        z, hit, used = self.read(scan.ranges)
+        pose = scan.pose
+        ex, ey = self.endpoint(pose, self.beam(pose.theta, scan.angles), z)
+        gx1, gy1 = self.to_grid(ex[used], ey[used])
+        gx0, gy0 = self.to_grid(
+            np.full(gx1.shape, pose.x), np.full(gx1.shape, pose.y)
+        )
+        hit = hit[used]
+        kept = self.kept(gx0, gy0, gx1, gy1)
+        gx0, gy0, gx1, gy1 = (a[kept] for a in (gx0, gy0, gx1, gy1))
+        hit = hit[kept]
+        lines, occupied = self.evidence(self.lines(gx0, gy0, gx1, gy1), hit)
+        scans = np.full(lines.gx.shape, number)
+        return self.within_scan(Traced(scans, lines.gx, lines.gy, occupied))
+
+    def within_scan(self, traced: Traced) -> Traced:
+        """The updates of one scan, before they are applied."""
+        return traced
+
+    def batches(self) -> Iterator[Traced]:
+        """The updates of several scans at a time, which is quicker than one by one."""
+        batch: list[Traced] = []
+        cells = 0
+        for number, scan in enumerate(self.scans()):
+            batch.append(self.trace(number, scan))
+            cells += batch[-1].gx.size
+            if cells > BATCH_CELLS:
+                yield Traced(*map(np.concatenate, zip(*batch, strict=True)))
+                batch, cells = [], 0
+        if batch:
+            yield Traced(*map(np.concatenate, zip(*batch, strict=True)))
+
+    def apply(self, log_odds: Array, traced: Traced) -> None:
+        """Adds the steps in order, clamping after each.
+
+        Cells do not depend on each other, so the j-th updates of all cells are made at once.
+        """
+        places, inside = self.place(traced.gx, traced.gy)
+        places, occupied = places[inside], traced.occupied[inside]
+        if not places.size:
+            return
+        order = np.argsort(places, kind="stable")
+        places, occupied = places[order], occupied[order]
+        free_step, occupied_step = self.steps()
+        steps = np.where(occupied, occupied_step, free_step)
+        starts = np.flatnonzero(np.diff(places, prepend=-1))
+        counts = np.diff(starts, append=places.size)
+        most_first = np.argsort(-counts, kind="stable")
+        starts, counts = starts[most_first], counts[most_first]
+        touched = places[starts]
+        values = log_odds[touched]
+        reached = np.searchsorted(-counts, -np.arange(counts[0]), side="left")
+        for j, n in enumerate(reached.tolist()):
+            values[:n] = self.clamp(values[:n] + steps[starts[:n] + j])
+        log_odds[touched] = values
+
+    # --- the files (2.6, 7) ---
+
+    def file_order(self, log_odds: Array) -> Array:
+        """The rows of the log-odds file."""
+        return log_odds
+
+    def probability(self, log_odds: Array) -> Array:
+        z = self.numbers.exp(-np.abs(log_odds))
+        return np.where(log_odds >= 0.0, 1.0, z) / (1.0 + z)
+
+    def pixel(self, p: Array) -> Array:
+        return np.floor((1.0 - p) * 255.0 + 0.5)
+
+    def picture(self, log_odds: Array) -> Cells:
+        """The rows of the picture, the one with the largest y first."""
+        p = self.probability(log_odds.reshape(-1)).reshape(log_odds.shape)
+        return self.pixel(p).astype(np.int64)[::-1]

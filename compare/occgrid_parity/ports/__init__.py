@@ -1,0 +1,1 @@
+"""The five ports: their declarations, how they are built, their probes."""

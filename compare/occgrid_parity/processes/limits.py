@@ -1,0 +1,182 @@
+"""Runs a stranger's command in an empty folder, within limits of time, output, memory and processes."""
+
+from __future__ import annotations
+
+import errno
+import json
+import signal
+import sys
+import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from occgrid_parity.processes.process_group import first_line, run_process
+
+SUPERVISOR = Path(__file__).with_name("supervisor.py")
+GRACE = 10.0  # seconds that the supervisor has to clean up
+MEBI = 2**20
+
+MISSING = (
+    "No such file or directory",
+    "FileNotFoundError",
+    "No such file",
+    "cannot find the file",
+)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What one run may use.
+
+    ``seconds`` of time; ``output`` bytes of files and of what is printed, together; ``memory`` bytes of all its
+    processes; ``processes`` at a time.
+    """
+
+    seconds: float = 60.0
+    output: int = 256 * MEBI
+    memory: int = 2048 * MEBI
+    processes: int = 64
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a run ended.
+
+    ``word`` is empty where it went well, else what went wrong in a word or two, with ``message`` for the rest.
+    ``left`` processes were still there when the command had ended; they were ended, too.
+    """
+
+    word: str
+    message: str
+    seconds: float
+    stdout: Path
+    stderr: Path
+    left: int = 0
+    peak: int = 0
+
+
+def run_limited(
+    command: Sequence[str],
+    *,
+    cwd: Path,
+    folder: Path,
+    watch: Path,
+    limits: Limits,
+    stop: threading.Event | None = None,
+) -> Ended:
+    """Runs ``command`` in ``cwd``; ``folder`` gets its stdout and stderr, ``watch`` is where its files count.
+
+    Raises occgrid_parity.processes.process_group.Stopped when ``stop`` is set meanwhile.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    config = folder / "limits.json"
+    report = folder / "ended.json"
+    stdout, stderr = folder / "stdout", folder / "stderr"
+    report.unlink(missing_ok=True)
+    for file in (stdout, stderr):
+        file.write_bytes(b"")
+    config.write_text(
+        json.dumps(
+            {
+                "command": list(command),
+                "cwd": str(cwd),
+                "stdout": str(stdout),
+                "stderr": str(stderr),
+                "report": str(report),
+                "watch": str(watch),
+                "seconds": limits.seconds,
+                "bytes": limits.output,
+                "memory": limits.memory,
+                "processes": limits.processes,
+            }
+        )
+    )
+    finished = run_process(
+        [sys.executable, "-I", "-S", str(SUPERVISOR), str(config)],
+        cwd=folder,
+        stdout=folder / "supervisor.stdout",
+        stderr=folder / "supervisor.stderr",
+        time_limit=limits.seconds + GRACE,
+        stop=stop,
+    )
+    if not report.is_file():
+        said = first_line(finished.stderr) or "nothing on standard error"
+        message = f"the run could not be watched to its end ({said})"
+        return Ended("lost", message, finished.seconds, stdout, stderr)
+    told = json.loads(report.read_text())
+    word, message = _judge(told, command, limits, stdout, stderr)
+    return Ended(
+        word,
+        message,
+        told["seconds"],
+        stdout,
+        stderr,
+        told["left"],
+        told["peak"],
+    )
+
+
+def _judge(
+    told: dict[str, object],
+    command: Sequence[str],
+    limits: Limits,
+    stdout: Path,
+    stderr: Path,
+) -> tuple[str, str]:
+    """Word and message of a run that the supervisor tells of."""
+    if told["start_error"]:
+        what = f"{command[0]}: {told['start_reason']}"
+        if told["start_error"] == errno.ENOENT and "/" not in command[0]:
+            return "not found", f"{command[0]} is not a command here"
+        if told["start_error"] == errno.ENOENT:
+            return "not found", f"the program cannot be started: {what}"
+        return "not executable", f"the program cannot be started: {what}"
+    printed = max(file.stat().st_size for file in (stdout, stderr))
+    status = told["status"]
+    too_much = printed >= limits.output or status == -signal.SIGXFSZ
+    if told["word"] == "too much output" or too_much:
+        return (
+            "too much output",
+            f"more than {limits.output // MEBI} MiB were printed or written; ended",
+        )
+    if told["word"] == "hang":
+        return "hang", f"no end after {limits.seconds:g} s; ended"
+    if told["word"] == "forks":
+        return (
+            "forks",
+            f"more than {limits.processes} processes at a time; all ended",
+        )
+    if told["word"] == "too much memory":
+        return (
+            "too much memory",
+            f"more than {limits.memory // MEBI} MiB of memory; ended",
+        )
+    if told["word"]:
+        return str(told["word"]), "the run was stopped"
+    if status == 0:
+        return "", ""
+    assert isinstance(status, int)
+    said = _telling_line(stderr)
+    said = f": {said}" if said else ", and nothing on standard error"
+    if status < 0:
+        return "crash", f"ended by {_signal(-status)}{said}"
+    if any(mark in said for mark in MISSING):
+        return "missing file", f"exit status {status}{said}"
+    return "crash", f"exit status {status}{said}"
+
+
+def _telling_line(stderr: Path) -> str:
+    """The line of standard error that says most: the last of a Python traceback, else the first."""
+    first = first_line(stderr)
+    if not first.startswith("Traceback"):
+        return first
+    lines = stderr.read_bytes()[-4096:].decode("utf-8", "replace").splitlines()
+    return next((x.strip()[:300] for x in reversed(lines) if x.strip()), first)
+
+
+def _signal(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"

@@ -1,0 +1,175 @@
+"""A program to check: its command, and what it can be asked."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import shutil
+import sys
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from occgrid_parity.ports.declaration import (
+    DECLARATION,
+    Port,
+    PortError,
+    expand,
+)
+from occgrid_parity.ports.declaration import _Reader as DeclarationReader
+from occgrid_parity.suite.modes import NOISE_FREE, Mode
+
+DEFAULT_TIMEOUT = 60.0
+
+
+@dataclass(frozen=True)
+class Program:
+    """A command template and where it runs.
+
+    ``cwd`` None: in the run's own empty folder. ``build`` are commands to run first, in ``folder``. ``words`` is the
+    command as it was given, ``option`` how to give it to ``occgrid-parity check`` again.
+    """
+
+    name: str
+    command: tuple[str, ...]
+    folder: Path
+    cwd: Path | None = None
+    timeout: float = DEFAULT_TIMEOUT
+    build: tuple[tuple[str, ...], ...] = ()
+    build_timeout: float = 900.0
+    words: str = ""
+    option: str = ""
+
+    def has(self, *names: str) -> bool:
+        """Whether the command has one of the placeholders."""
+        return any(
+            "{" + name + "}" in argument
+            for argument in self.command
+            for name in names
+        )
+
+    @property
+    def reads_scenarios(self) -> bool:
+        """Whether it maps a file that it is given; otherwise it has only the lesson."""
+        return self.has("scenario", "scenarios")
+
+    @property
+    def takes_seeds(self) -> bool:
+        """Whether it can be asked for noise of a seed."""
+        return self.has("mode", "seed")
+
+    @property
+    def plain_mode(self) -> Mode:
+        """The mode of most checks: without noise, unless it can only be given a seed."""
+        only_seed = self.has("seed") and not self.has("mode")
+        return Mode(0) if only_seed else NOISE_FREE
+
+    def arguments(
+        self, scenario: Path | None, out: Path, pgm: Path, mode: Mode
+    ) -> list[str]:
+        """The command of one run."""
+        files = [] if scenario is None else [str(scenario)]
+        lists = {
+            "mode": mode.arguments,
+            "scenario": files,
+            "scenarios": files,
+        }
+        texts = {
+            **{name: " ".join(words) for name, words in lists.items()},
+            "port": str(self.folder),
+            "python": sys.executable,
+            "out": str(out),
+            "pgm": str(pgm),
+            "seed": str(mode.seed or 0),
+        }
+        command: list[str] = []
+        for argument in self.command:
+            alone = (
+                argument[1:-1] if argument == f"{{{argument[1:-1]}}}" else ""
+            )
+            if alone in lists:
+                command += lists[alone]
+            else:
+                command += expand([argument], texts)
+        return command
+
+
+def program_from_command(text: str, start: Path, timeout: float) -> Program:
+    """The program of ``--run``; words that name files are looked for from the folder ``start``.
+
+    Raises ValueError where the text is no command.
+    """
+    try:
+        words = shlex.split(text)
+    except ValueError as error:
+        raise ValueError(f"--run {text!r}: {error}") from error
+    if not words:
+        raise ValueError("--run needs a command")
+    command = tuple(_absolute(word, start) for word in words)
+    return Program(
+        name=_name(words),
+        command=command,
+        folder=start,
+        timeout=timeout,
+        words=text,
+        option=f"--run {shlex.quote(text)}",
+    )
+
+
+def _absolute(word: str, start: Path) -> str:
+    """A word that names a file or folder as its full path; others as they are.
+
+    Links are kept: the python of a virtual environment is one.
+    """
+    if "{" in word or word.startswith("-") or not word:
+        return word
+    path = start / word
+    is_there = path.is_file() or (path.is_dir() and "/" in word)
+    return str(path.absolute()) if is_there or word.startswith("./") else word
+
+
+def _name(words: Sequence[str]) -> str:
+    """The program's own name, not its interpreter's."""
+    plain = [w for w in words if re.fullmatch(r"[\w./+][\w./+-]*", w)]
+    files = [w for w in plain if "/" in w or "." in Path(w).name]
+    return Path((files or plain or words)[-1 if files else 0]).name
+
+
+def program_from_port(path: Path, timeout: float | None = None) -> Program:
+    """The program that a port.toml declares; only ``run`` must be there.
+
+    Where the command says where its files go, it runs in its own folder, as ``occgrid-parity run`` does it, else in the
+    run's empty folder. Raises PortError where the file cannot be used.
+    """
+    if path.is_dir():
+        path = path / DECLARATION
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise PortError(f"{path}: {error}") from error
+    folder = path.resolve().parent
+    reader = DeclarationReader(path, table)
+    needs = reader.needs()
+    run = reader.command("run", required=True)
+    build = reader.commands("build")
+    given = reader.seconds("timeout", DEFAULT_TIMEOUT)
+    build_timeout = reader.seconds("build_timeout", Port.build_timeout)
+    name = table.get("name", folder.name)
+    missing = [n.install for n in needs if shutil.which(n.command) is None]
+    if missing:
+        raise PortError(f"{path}: install {', '.join(missing)}")
+    program = Program(
+        name=str(name),
+        command=run,
+        folder=folder,
+        timeout=timeout or given,
+        build=build,
+        build_timeout=build_timeout,
+        words=shlex.join(run),
+        option=f"--port {shlex.quote(str(path))}",
+    )
+    if program.has("out", "pgm"):
+        return replace(program, cwd=folder)
+    command = tuple(_absolute(word, folder) for word in run)
+    return replace(program, command=command)

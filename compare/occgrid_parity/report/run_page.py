@@ -1,0 +1,134 @@
+"""One self-contained HTML page of a run: the matrix, and each case down to the cell."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+
+from occgrid_parity.compare.run_record import RunRecord, to_json, write_text
+from occgrid_parity.report.cases import Case, cases_of
+from occgrid_parity.report.packing import pack, pack_frames, pack_log_odds
+from occgrid_parity.report.run_table import footnotes, summary
+
+PAGE_FILE = "index.html"
+
+
+def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
+    """Write the page of a run into a folder, which is made where it is missing.
+
+    ``run_folder`` holds the maps of the record. Returns the page's file.
+    """
+    page = target / PAGE_FILE
+    text = render(
+        "page.html",
+        record,
+        cases_of(record, run_folder),
+        footnotes(record),
+        summary=summary(record),
+    )
+    target.mkdir(parents=True, exist_ok=True)
+    write_text(page, text)
+    write_text(target / "run.json", to_json(record))
+    return page
+
+
+def environment() -> Environment:
+    """The templates."""
+    return Environment(
+        loader=PackageLoader("occgrid_parity.report", "assets"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+
+
+def render(
+    template: str,
+    record: RunRecord,
+    cases: Iterable[Case],
+    footnotes: Sequence[str],
+    start: str = "",
+    **more: object,
+) -> str:
+    """The page as text; nothing in it is loaded from elsewhere.
+
+    ``start`` is JSON: number (of a case), port, gx and gy of what to show first; empty: the first failure. ``more``
+    is what the template wants beside the maps.
+    """
+    shown = sorted(enumerate(cases), key=lambda item: not item[1].failed)
+    return (
+        environment()
+        .get_template(template)
+        .render(
+            record=record,
+            cases=[(number, case) for number, case in shown],
+            data={
+                number: _json(_case(record, case)) for number, case in shown
+            },
+            footnotes=footnotes,
+            start=start,
+            style=Markup(asset("page.css")),
+            script=Markup(asset("page.js")),
+            **more,
+        )
+    )
+
+
+def asset(name: str) -> str:
+    """A file of the page's own."""
+    return (
+        resources.files("occgrid_parity.report") / "assets" / name
+    ).read_text(encoding="utf-8")
+
+
+def _json(data: Any) -> Markup:
+    """JSON inside a script element: no text in it can end the element."""
+    return Markup(
+        json.dumps(data, separators=(",", ":")).replace("<", "\\u003c")
+    )
+
+
+def _case(record: RunRecord, case: Case) -> dict[str, Any]:
+    """A case as the page's script wants it."""
+    spec = case.spec
+    return {
+        "scenario": case.scenario,
+        "mode": case.mode.name,
+        "reference": record.reference,
+        "resolution": None if spec is None else spec.resolution,
+        "origin": None if spec is None else [spec.origin_x, spec.origin_y],
+        "ports": [
+            {
+                "name": port.result.port,
+                "words": port.words,
+                "map": port.map,
+            }
+            for port in case.ports
+        ],
+        "maps": [
+            {
+                "width": int(drawn.pixels.shape[1]),
+                "height": int(drawn.pixels.shape[0]),
+                "pixels": pack(drawn.pixels.astype(np.uint8).tobytes()),
+                "logOdds": None
+                if drawn.log_odds is None
+                else pack_log_odds(drawn.log_odds),
+            }
+            for drawn in case.maps
+        ],
+        "frames": None
+        if case.frames is None
+        else {
+            "scans": case.frames.scans,
+            "total": case.frames.total,
+            "pixels": pack_frames(case.frames.pixels),
+        },
+    }

@@ -1,0 +1,1 @@
+"""What the suite holds: its scenarios, the modes to map them in, the golden results."""

@@ -1,1 +1,0 @@
-"""Reports for people and machines, all made from the record of a run."""
