@@ -26,7 +26,8 @@ from occgrid_bench.work import (
     log_work,
     open_lesson_work,
 )
-from occgrid_parity.logs.carmen import Request, Selection, make_scenario
+from occgrid_parity.logs.conversion import Request, Selection
+from occgrid_parity.logs.making import make_scenario
 
 PORTS = ["cpp", "java", "python", "matlab", "mathematica"]
 

@@ -14,13 +14,13 @@ from occgrid_parity.check.whole_check import Options, check
 from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
 from occgrid_parity.model.line_cells import Lines
 from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Mask
-from occgrid_parity.model.reference import world_of
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.programs.program import program_from_command
 from occgrid_parity.programs.runner import Outcome
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
-from occgrid_parity.suite.scenario_text import Case
 
 PROGRAMS = Path(__file__).parent / "check" / "programs"
 

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import pytest
 
-from occgrid_parity.compare.matrix_run import Silent, build_ports
-from occgrid_parity.ports.building import Built
-from occgrid_parity.ports.declaration import Port, find_ports, read_port
+from occgrid_parity.ports.building import Built, build_ports
+from occgrid_parity.ports.declaration import Port, read_port
+from occgrid_parity.ports.finding import find_ports
+from occgrid_parity.processes.progress import Silent
 from occgrid_parity.suite.repository import find_root
 
 from .reported import Ran, run_and_report

@@ -13,7 +13,7 @@ from occgrid.grid import OccupancyGrid
 from occgrid.scenario import Scenario, read_scenario
 from occgrid.sensor import Scan, beam_endpoints
 from occgrid_parity.commands.app import app
-from occgrid_parity.logs.carmen import short
+from occgrid_parity.logs.scenario_writing import short
 
 FLASER = "FLASER 3 {} {} {} {} {} {} 0 0 0 1.5 host 2.5"
 ROBOTLASER1 = (

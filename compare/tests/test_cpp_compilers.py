@@ -15,7 +15,7 @@ from occgrid_parity.compare.run_record import RunRecord
 from occgrid_parity.ports.building import Built, build_port
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.pool import side_by_side
-from occgrid_parity.report.run_table import explain
+from occgrid_parity.report.run_table import explain_result
 from occgrid_parity.suite.modes import DEFAULT_MODES
 from occgrid_parity.suite.scenarios import choose_scenarios
 
@@ -122,7 +122,10 @@ def test_the_same_bits(
     found = [result for result in maps.results if result.port == name]
     assert len(found) == len(maps.scenarios) * len(maps.modes)
     wrong = [
-        line for r in found if r.status != "identical" for line in explain(r)
+        line
+        for r in found
+        if r.status != "identical"
+        for line in explain_result(r)
     ]
     if wrong:
         pytest.fail("\n".join(wrong), pytrace=False)

@@ -12,7 +12,7 @@ from occgrid_parity.compare.matrix_run import Plan, run
 from occgrid_parity.compare.run_record import RunRecord
 from occgrid_parity.ports.building import Built
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.report.run_table import explain
+from occgrid_parity.report.run_table import explain_result
 from occgrid_parity.suite.modes import Mode
 from occgrid_parity.suite.scenarios import scenario_from
 
@@ -193,7 +193,8 @@ def test_maps_it_as_the_reference_does(
         )
         text = Path(str(path)).read_bytes().decode("ascii")
         pytest.fail(
-            "\n".join([*explain(result), "", text[:3000]]), pytrace=False
+            "\n".join([*explain_result(result), "", text[:3000]]),
+            pytrace=False,
         )
 
 

@@ -12,7 +12,7 @@ from occgrid_parity.compare.run_record import RunRecord
 from occgrid_parity.formats.map_files import SUFFIXES
 from occgrid_parity.ports.building import Built
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.report.run_table import explain
+from occgrid_parity.report.run_table import explain_result
 from occgrid_parity.suite.modes import DEFAULT_MODES
 from occgrid_parity.suite.scenarios import choose_scenarios
 
@@ -53,7 +53,7 @@ def test_map(
     need(port)
     result = matrix.result(port, scenario, mode)
     if result.status != "identical":
-        pytest.fail("\n".join(explain(result)), pytrace=False)
+        pytest.fail("\n".join(explain_result(result)), pytrace=False)
     assert "golden" in result.compared_with
     assert "python" in [port, *result.compared_with]
 

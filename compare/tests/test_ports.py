@@ -8,13 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from occgrid_parity.ports.declaration import (
-    Port,
-    PortError,
-    expand,
-    find_ports,
-    read_port,
-)
+from occgrid_parity.ports.declaration import Port, expand, read_port
+from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.ports.finding import find_ports
 
 GOOD = {
     "name": '"a"',

@@ -15,10 +15,11 @@ import pytest
 
 from occgrid_parity.compare.matrix_run import REFERENCE, Plan, run
 from occgrid_parity.compare.run_record import RunRecord
-from occgrid_parity.logs.carmen import Request, Selection, make_scenario
+from occgrid_parity.logs.conversion import Request, Selection
+from occgrid_parity.logs.making import make_scenario
 from occgrid_parity.ports.building import Built
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.report.run_table import explain
+from occgrid_parity.report.run_table import explain_result
 from occgrid_parity.suite.modes import NOISE_FREE
 from occgrid_parity.suite.scenarios import scenario_from
 
@@ -123,7 +124,7 @@ def test_maps_the_log_as_the_reference_does(
     need(port)
     result = maps[limit].result(port, stem(log), NOISE_FREE.name)
     if result.status != "identical":
-        pytest.fail("\n".join(explain(result)), pytrace=False)
+        pytest.fail("\n".join(explain_result(result)), pytrace=False)
     assert result.compared_with == [REFERENCE]
     assert result.width
     assert result.height

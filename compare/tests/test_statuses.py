@@ -21,9 +21,10 @@ from occgrid_parity.compare.run_record import (
     to_json,
 )
 from occgrid_parity.formats.log_odds import hash_log_odds, read_log_odds
-from occgrid_parity.ports.declaration import Port, find_ports
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.ports.finding import find_ports
 from occgrid_parity.report.run_table import (
-    explain,
+    explain_result,
     footnotes,
     matrix_table,
     summary,
@@ -123,7 +124,7 @@ def test_one_bit_differs(fake_root: Path, fake: Fake) -> None:
     fake("x", ONE_BIT)
     result = one(fake_root, "x")
     assert result.status == "differs"
-    assert explain(result) == [
+    assert explain_result(result) == [
         "x, b, noise-free: differs",
         "  b.logodds: 1 of 6 cells differ from python",
         "    cell gx=1 gy=1",
@@ -150,7 +151,7 @@ def test_many_cells_differ(fake_root: Path, fake: Fake) -> None:
     result = results(run_all(fake_root, ["a"]), "x")["a"]
     assert result.differences[0].count == 6
     assert len(result.differences[0].cells) == 5
-    assert explain(result)[-1] == "    and 1 more"
+    assert explain_result(result)[-1] == "    and 1 more"
 
 
 def test_one_pixel_differs(fake_root: Path, fake: Fake) -> None:
@@ -160,7 +161,7 @@ def test_one_pixel_differs(fake_root: Path, fake: Fake) -> None:
     )
     result = results(run_all(fake_root, ["a"]), "x")["a"]
     assert result.status == "differs"
-    assert explain(result)[1:] == [
+    assert explain_result(result)[1:] == [
         "  a.pgm: 1 of 6 pixels differ from python",
         "    cell gx=1 gy=1",
         "      found    log-odds 0.1 (0x3fb999999999999a), p 0.524979, pixel 129",
@@ -175,7 +176,7 @@ def test_the_yaml_differs(fake_root: Path, fake: Fake) -> None:
     )
     result = results(run_all(fake_root, ["a"]), "x")["a"]
     assert result.status == "differs"
-    assert explain(result)[1:] == [
+    assert explain_result(result)[1:] == [
         "  a.yaml: 1 of 2 lines differ from python",
         r"    line 1: found    'image: a.pgm\r\n'",
         r"    line 1: expected 'image: a.pgm\n'",
@@ -186,7 +187,7 @@ def test_the_size_differs(fake_root: Path, fake: Fake) -> None:
     fake("x", "for f in files:\n    write(f.stem, ((1, 2),), ((0.0, 0.0),))")
     result = results(run_all(fake_root, ["a"]), "x")["a"]
     assert result.status == "differs"
-    assert explain(result)[2] == "    2 x 1 cells, expected 2 x 3"
+    assert explain_result(result)[2] == "    2 x 1 cells, expected 2 x 3"
 
 
 BREAKS = {
@@ -260,7 +261,7 @@ for file in files:
     fake("x", body)
     result = one(fake_root, "x")
     assert (result.status, result.reason) == ("error", reason)
-    assert explain(result) == [f"x, b, noise-free: error: {reason}"]
+    assert explain_result(result) == [f"x, b, noise-free: error: {reason}"]
 
 
 def test_output_of_an_earlier_run_is_not_found_again(
@@ -408,7 +409,7 @@ def test_every_port_must_equal_the_golden_result(
     for name in ("python", "x"):
         result = record.result(name, "a", "noise-free")
         assert result.status == "differs"
-        text = "\n".join(explain(result))
+        text = "\n".join(explain_result(result))
         assert (
             "a.logodds: 1 of 1 hashes differ from golden a.noise-free.sha256"
             in text

@@ -18,7 +18,8 @@ from occgrid.scenario import read_scenario
 from occgrid_handouts.languages import Language
 from occgrid_handouts.platform_math import search_path
 from occgrid_handouts.snippets import source_files
-from occgrid_parity.ports.declaration import Port, find_ports
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.ports.finding import find_ports
 
 Array = npt.NDArray[np.float64]
 

@@ -105,7 +105,7 @@ def read_scenario(path: str | Path) -> Scenario:
     Use it in a ``with`` statement: the file stays open while scans are read. Raises ScenarioError here for what is
     wrong before the first scan, and while going through the scans for what is wrong later.
     """
-    reader = _Reader(str(path))
+    reader = ScenarioReader(str(path))
     try:
         return reader.read()
     except BaseException:
@@ -168,7 +168,7 @@ _DECIMAL_CHARACTERS = str.maketrans("", "", "0123456789+-.eE")
 _WORDS = {"nan", "inf", "infinity"}
 
 
-class _Reader:
+class ScenarioReader:
     """Goes through a file line by line; ``line`` is the number of the last one read."""
 
     def __init__(self, file: str) -> None:
@@ -183,9 +183,11 @@ class _Reader:
         self.walls: list[Segment] = []
 
     def close(self) -> None:
+        """Closes the file."""
         self.stream.close()
 
     def fail(self, reason: str, line: int | None = None) -> NoReturn:
+        """Raises ScenarioError, for the line read last where none is named."""
         raise ScenarioError(
             self.file, self.line if line is None else line, reason
         )

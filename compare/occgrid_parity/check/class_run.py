@@ -12,17 +12,23 @@ from pathlib import Path
 
 from occgrid_parity.check.verdict import Verdict, to_json
 from occgrid_parity.check.verdict_text import verdict_text
-from occgrid_parity.check.whole_check import Judged, Options, broken, check
-from occgrid_parity.compare.matrix_run import Progress
-from occgrid_parity.compare.run_record import write_text
-from occgrid_parity.ports.declaration import DECLARATION, PortError
+from occgrid_parity.check.whole_check import (
+    ComparedMap,
+    Options,
+    broken,
+    check,
+)
+from occgrid_parity.formats.text_files import write_text
+from occgrid_parity.ports.declaration import DECLARATION
+from occgrid_parity.ports.declaration_reader import PortError
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.process_group import Stopped
+from occgrid_parity.processes.progress import Progress
 from occgrid_parity.programs.program import Program, program_from_port
 from occgrid_parity.programs.runner import CommandRunner
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 SUMMARY = "summary.csv"
 COLUMNS = (
@@ -63,7 +69,8 @@ def check_class(
     cases: Sequence[Case] = (),
     modes: Sequence[Mode] = (),
     timeout: float | None = None,
-    on_checked: Callable[[str, Verdict, list[Judged]], None] | None = None,
+    on_checked: Callable[[str, Verdict, list[ComparedMap]], None]
+    | None = None,
 ) -> list[Submission]:
     """Checks every folder in ``folder``; writes one record and text each, and the summary, into ``out``.
 
@@ -81,7 +88,7 @@ def check_class(
 
     def one(place: Path, stop: threading.Event) -> Submission:
         save = out / place.name
-        maps: list[Judged] = []
+        maps: list[ComparedMap] = []
         keep = None if on_checked is None else maps.append
         options = Options(cases, modes, save=save, on_map=keep)
         verdict = check_submission(place, limits, options, timeout, stop)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from occgrid_parity.suite.cases import LESSON, TWIN
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import LESSON, TWIN
 
 SEEDS = (Mode(0), Mode(1))
 

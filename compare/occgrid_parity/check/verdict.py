@@ -5,12 +5,12 @@ Doubles stand as the texts of their ``repr`` and of their bits (see occgrid_pari
 
 from __future__ import annotations
 
-import dataclasses
 import json
 from dataclasses import dataclass, field
 from typing import Literal
 
-from occgrid_parity.compare.run_record import CellValue, _value
+from occgrid_parity.explain.findings import Cause, FirstDifference
+from occgrid_parity.formats.json_records import from_plain, json_text
 
 SCHEMA = 1
 
@@ -59,86 +59,6 @@ class Level:
 
 
 @dataclass(frozen=True)
-class BeamCell:
-    """A cell of a beam; ``kind`` is free or occupied."""
-
-    gx: int
-    gy: int
-    kind: str
-
-
-@dataclass(frozen=True)
-class Endpoint:
-    """Where the contract's beam ends, metres: 17 digits and hexadecimal; its distance from the nearest cell edge.
-
-    ``rounding`` is the bound on what rounding can move it, metres.
-    """
-
-    x: str
-    y: str
-    x_hex: str
-    y_hex: str
-    range: str
-    hit: bool
-    edge_distance: float
-    rounding: float
-
-
-@dataclass(frozen=True)
-class FirstDifference:
-    """Where a program's map first differs.
-
-    ``how`` is "runs" where the program was run on shortened scenarios, "deduced" where only finished maps were
-    looked at; then ``scan`` and ``beam`` are the earliest that can be at fault. ``candidates`` are beams of the scan
-    of which one is at fault, where ``beam`` is None. ``patch`` is the drawing of the cells around the difference.
-    """
-
-    scenario: str
-    mode: str
-    how: str
-    runs: int
-    scan: int | None
-    beam: int | None
-    gx: int
-    gy: int
-    found: CellValue
-    expected: CellValue
-    candidates: list[int] = field(default_factory=list)
-    endpoint: Endpoint | None = None
-    expected_cells: list[BeamCell] = field(default_factory=list)
-    found_cells: list[BeamCell] = field(default_factory=list)
-    patch: list[str] = field(default_factory=list)
-    scenario_file: str | None = None
-    command: str = ""
-    undetermined: list[str] = field(default_factory=list)
-
-
-@dataclass(frozen=True)
-class Likely:
-    """A mistake of the catalogue that draws the program's maps."""
-
-    name: str
-    title: str
-    lesson: str
-    where: str
-
-
-@dataclass(frozen=True)
-class Cause:
-    """The mistakes that reproduce the program's maps; empty where none does.
-
-    ``maps`` are those that were compared ("octants, noise-free"); ``arithmetic`` is portable or platform, whichever
-    sines and logarithms reproduce them; ``message`` says the rest in words.
-    """
-
-    candidates: list[Likely]
-    maps: list[str]
-    tried: int
-    arithmetic: str = ""
-    message: str = ""
-
-
-@dataclass(frozen=True)
 class Verdict:
     """A whole check."""
 
@@ -169,7 +89,7 @@ class Verdict:
 
 def to_json(verdict: Verdict) -> str:
     """The verdict as JSON text."""
-    return json.dumps(dataclasses.asdict(verdict), indent=1) + "\n"
+    return json_text(verdict)
 
 
 def from_json(text: str) -> Verdict:
@@ -178,7 +98,7 @@ def from_json(text: str) -> Verdict:
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise ValueError(f"not a verdict of schema {SCHEMA}")
     try:
-        verdict = _value(Verdict, data)
+        verdict = from_plain(Verdict, data)
     except (KeyError, TypeError) as error:
         raise ValueError(
             f"not a verdict of schema {SCHEMA}: {error}"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import textwrap
 
-from occgrid_parity.check.verdict import Cause, FirstDifference, Level, Verdict
+from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.wording import plural
-from occgrid_parity.compare.run_record import CellValue
+from occgrid_parity.compare.cell_values import CellValue
+from occgrid_parity.explain.findings import Cause, FirstDifference
 
 WIDTH = 100
 HALVES = "but for grey values halfway between two levels, where the last bit of exp or log decides"

@@ -21,22 +21,21 @@ from occgrid_parity.check.levels import (
 from occgrid_parity.check.verdict import (
     SCHEMA,
     CaseResult,
-    Cause,
-    FirstDifference,
     Level,
     LevelStatus,
     Overall,
     Verdict,
 )
 from occgrid_parity.explain.cause import Evidence, find_cause
-from occgrid_parity.explain.closeness import Compared, compare
-from occgrid_parity.explain.first_difference import explain_difference
+from occgrid_parity.explain.closeness import Compared, compare_with_reference
+from occgrid_parity.explain.findings import Cause, FirstDifference
+from occgrid_parity.explain.first_difference import find_first_difference
 from occgrid_parity.explain.symmetry import orientation
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.programs.runner import Outcome, Runner
+from occgrid_parity.suite.cases import LESSON, Case, built_in, case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import LESSON, Case, built_in, case
 
 
 @dataclass(frozen=True)
@@ -51,7 +50,7 @@ class Options:
     modes: Sequence[Mode] = ()
     explain: bool = True
     save: Path | None = None
-    on_map: Callable[[Judged], None] | None = None
+    on_map: Callable[[ComparedMap], None] | None = None
 
 
 class LevelFailed(Exception):
@@ -67,7 +66,7 @@ class LevelFailed(Exception):
 
 
 @dataclass(frozen=True)
-class Judged:
+class ComparedMap:
     """A map and how it compares."""
 
     case: Case
@@ -95,12 +94,12 @@ class _Check:
         self.runner = runner
         self.options = options
         self.levels: list[Level] = []
-        self.judged: dict[tuple[str, Mode], Judged] = {}
+        self.judged: dict[tuple[str, Mode], ComparedMap] = {}
         self.outcomes: dict[tuple[str, Mode], Outcome] = {}
         self.notes: dict[str, None] = {}
         self.runs = 0
         self.seconds = 0.0
-        self.failed: Judged | None = None
+        self.failed: ComparedMap | None = None
         self.short: Evidence | None = None
         self.misread = False
 
@@ -118,7 +117,7 @@ class _Check:
             self.outcomes[key] = outcome
         return self.outcomes[key]
 
-    def judge(self, one: Case, mode: Mode) -> Judged:
+    def judge(self, one: Case, mode: Mode) -> ComparedMap:
         """Runs and compares. Raises LevelFailed where there is no map of the right size."""
         key = (one.digest, mode)
         if key in self.judged:
@@ -134,8 +133,10 @@ class _Check:
                 f"{one.name}: {observed.source} is {wording.size(observed.pixels.shape)} pixels, expected "
                 f"{wording.size(expected)}",
             )
-        compared = compare(observed, one, mode, own_poses=not one.is_file)
-        judged = Judged(one, mode, observed, compared, outcome.seconds)
+        compared = compare_with_reference(
+            observed, one, mode, own_poses=not one.is_file
+        )
+        judged = ComparedMap(one, mode, observed, compared, outcome.seconds)
         self.judged[key] = judged
         if self.options.on_map is not None:
             self.options.on_map(judged)
@@ -408,7 +409,7 @@ class _Check:
         if self.failed is None:
             return None
         mode = self.failed.mode
-        explained = explain_difference(
+        explained = find_first_difference(
             self.runner,
             self.failed.case,
             mode,

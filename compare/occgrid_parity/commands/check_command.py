@@ -12,10 +12,11 @@ from occgrid.scenario import ScenarioError
 from occgrid_parity.check.class_run import SUMMARY, check_class, check_program
 from occgrid_parity.check.verdict import Verdict, to_json
 from occgrid_parity.check.verdict_text import verdict_text
-from occgrid_parity.check.whole_check import Judged, Options
+from occgrid_parity.check.whole_check import ComparedMap, Options
 from occgrid_parity.commands.console_progress import ConsoleProgress
-from occgrid_parity.compare.run_record import write_text
-from occgrid_parity.model.reference import world_of
+from occgrid_parity.formats.text_files import write_text
+from occgrid_parity.model.reference import golden_problem
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.processes.limits import MEBI, Limits
 from occgrid_parity.programs.program import (
     DEFAULT_TIMEOUT,
@@ -27,14 +28,8 @@ from occgrid_parity.report.check_page import write_check_page
 from occgrid_parity.report.class_page import write_class_page
 from occgrid_parity.report.gradescope import gradescope_json
 from occgrid_parity.report.junit import verdict_junit_xml
+from occgrid_parity.suite.cases import LESSON, Case, case, case_from
 from occgrid_parity.suite.modes import NOISE_FREE, Mode, parse_mode
-from occgrid_parity.suite.scenario_text import (
-    LESSON,
-    Case,
-    case,
-    case_from,
-    golden_problem,
-)
 
 DEFAULT_OUT = Path("occgrid-parity-check")
 VERDICT = "verdict.json"
@@ -208,7 +203,7 @@ def check_command(
     own = Limits(
         program.timeout, limits.output, limits.memory, limits.processes
     )
-    maps: list[Judged] = []
+    maps: list[ComparedMap] = []
     options = Options(cases, modes, explain, out, maps.append)
     verdict = check_program(program, own, options)
     out.mkdir(parents=True, exist_ok=True)
@@ -240,7 +235,9 @@ def _check_class(
 ) -> None:
     """Checks a class and ends the command."""
 
-    def write_page(name: str, verdict: Verdict, maps: list[Judged]) -> None:
+    def write_page(
+        name: str, verdict: Verdict, maps: list[ComparedMap]
+    ) -> None:
         assert report is not None
         write_check_page(verdict, maps, report / name)
 

@@ -9,7 +9,7 @@ import typer
 from rich.console import Console
 from rich.table import Table
 
-from occgrid_parity.compare.run_record import write_text
+from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.mistakes.catalogue import MISTAKES
 from occgrid_parity.report.mistakes_page import PAGE, page, table
 from occgrid_parity.suite.repository import find_root

@@ -12,9 +12,9 @@ from occgrid.grid import OccupancyGrid
 from occgrid.map_writer import map_pgm
 from occgrid.mapper import map_scenario
 from occgrid.scenario import read_scenario
-from occgrid_parity.compare.run_record import write_text
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.log_odds import hash_log_odds
+from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.suite.golden import golden_files, hashes_text, read_golden
 from occgrid_parity.suite.modes import DEFAULT_MODES, Mode
 from occgrid_parity.suite.scenarios import ScenarioFile

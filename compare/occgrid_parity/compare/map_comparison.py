@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from occgrid_parity.compare.run_record import (
-    CellDifference,
-    CellValue,
-    Difference,
-)
-from occgrid_parity.formats.log_odds import LogOdds, bits, hash_log_odds
+from occgrid_parity.compare.cell_values import CellValue, cell_value
+from occgrid_parity.compare.run_record import CellDifference, Difference
+from occgrid_parity.formats.log_odds import bits, hash_log_odds
 from occgrid_parity.formats.map_files import MapOutput
 from occgrid_parity.formats.pgm import Pixels
 from occgrid_parity.suite.golden import GoldenMap
@@ -165,18 +161,4 @@ def _cell(
 
 def _value(gx: int, gy: int, output: MapOutput) -> CellValue:
     pixel = int(output.pixels[output.pixels.shape[0] - 1 - gy, gx])
-    value = float(output.log_odds[gy, gx])
-    return CellValue(
-        pixel, repr(value), hex_bits(output.log_odds, gx, gy), _p(value)
-    )
-
-
-def hex_bits(log_odds: LogOdds, gx: int, gy: int) -> str:
-    """The bits of one cell's log-odds as 16 hexadecimal digits."""
-    return f"{int(bits(log_odds[gy, gx : gx + 1])[0]):016x}"
-
-
-def _p(value: float) -> str:
-    """The probability of a log-odds value, for people: six digits."""
-    z = math.exp(-abs(value))
-    return f"{(1.0 if value >= 0 else z) / (1.0 + z):.6g}"
+    return cell_value(pixel, float(output.log_odds[gy, gx]))

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Protocol
 
 from occgrid_parity.compare.mapping import Mapped, batches, map_batch
 from occgrid_parity.compare.run_record import (
@@ -21,37 +20,18 @@ from occgrid_parity.compare.run_record import (
     RunRecord,
     ScenarioRecord,
     to_json,
-    write_text,
 )
-from occgrid_parity.compare.run_results import Court, judge
-from occgrid_parity.ports.building import Built, build_port
+from occgrid_parity.compare.run_results import ComparisonBasis, results_of_run
+from occgrid_parity.formats.text_files import write_text
+from occgrid_parity.ports.building import Built, build_ports
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.pool import side_by_side
+from occgrid_parity.processes.progress import Progress, Silent
 from occgrid_parity.suite.modes import DEFAULT_MODES, Mode
 from occgrid_parity.suite.scenarios import ScenarioFile
 
 REFERENCE = "python"
 MARKER = ".parity-run"
-
-
-class Progress(Protocol):
-    """Is told how far a run is."""
-
-    def total(self, steps: int) -> None:
-        """How many steps are still to come."""
-
-    def step(self, text: str) -> None:
-        """One step is done; the text says which and how it ended."""
-
-
-class Silent:
-    """Progress that nobody looks at."""
-
-    def total(self, steps: int) -> None:
-        """Says nothing."""
-
-    def step(self, text: str) -> None:
-        """Says nothing."""
 
 
 @dataclass(frozen=True)
@@ -97,20 +77,6 @@ def prepare_folder(folder: Path) -> None:
     (folder / MARKER).write_text("This folder is emptied by the next run.\n")
 
 
-def build_ports(
-    ports: Sequence[Port], logs: Path, jobs: int, progress: Progress
-) -> list[Built]:
-    """Builds ports side by side."""
-
-    def build(port: Port, stop: threading.Event) -> Built:
-        built = build_port(port, logs, stop)
-        said = built.problem or f"built in {built.seconds:.1f} s"
-        progress.step(f"{port.name}: {said}")
-        return built
-
-    return side_by_side(build, ports, jobs)
-
-
 def run(plan: Plan) -> RunRecord:
     """Runs the plan and leaves its record beside the maps, as run.json.
 
@@ -128,7 +94,7 @@ def run(plan: Plan) -> RunRecord:
         logs = plan.folder / "build"
         built = build_ports(plan.ports, logs, plan.jobs, plan.progress)
     mapped = _map_all(plan, [b.port for b in built if not b.problem])
-    court = Court(plan.reference, plan.folder, plan.golden)
+    basis = ComparisonBasis(plan.reference, plan.folder, plan.golden)
     record = RunRecord(
         schema=SCHEMA,
         started=started.isoformat(timespec="seconds"),
@@ -144,7 +110,9 @@ def run(plan: Plan) -> RunRecord:
             )
             for s in plan.scenarios
         ],
-        results=judge(court, built, plan.scenarios, plan.modes, mapped),
+        results=results_of_run(
+            basis, built, plan.scenarios, plan.modes, mapped
+        ),
         processes=[_process_record(plan, one) for one in mapped],
     )
     write_text(plan.folder / RECORD_FILE, to_json(record))

@@ -7,30 +7,19 @@ reader of the JSON can round them.
 
 from __future__ import annotations
 
-import dataclasses
 import json
-import os
-import types
 import typing
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
+
+from occgrid_parity.compare.cell_values import CellValue
+from occgrid_parity.formats.json_records import from_plain, json_text
 
 SCHEMA = 1
 RECORD_FILE = "run.json"
 
 Status = Literal["identical", "differs", "error", "timeout", "skipped"]
 STATUSES: tuple[Status, ...] = typing.get_args(Status)
-
-
-@dataclass(frozen=True)
-class CellValue:
-    """One cell of one map; None where the map at hand does not say."""
-
-    pixel: int | None = None
-    log_odds: str | None = None
-    bits: str | None = None
-    probability: str | None = None
 
 
 @dataclass(frozen=True)
@@ -166,7 +155,7 @@ class RunRecord:
 
 def to_json(record: RunRecord) -> str:
     """The record as JSON text."""
-    return json.dumps(dataclasses.asdict(record), indent=1) + "\n"
+    return json_text(record)
 
 
 def from_json(text: str) -> RunRecord:
@@ -176,35 +165,10 @@ def from_json(text: str) -> RunRecord:
         found = data.get("schema") if isinstance(data, dict) else None
         raise ValueError(f"a record of schema {found!r}, expected {SCHEMA}")
     try:
-        record = _value(RunRecord, data)
+        record = from_plain(RunRecord, data)
     except (KeyError, TypeError) as error:
         raise ValueError(
             f"not a record of schema {SCHEMA}: {error}"
         ) from error
     assert isinstance(record, RunRecord)
     return record
-
-
-def _value(kind: Any, data: Any) -> Any:
-    """Plain JSON data as a value of the annotated type."""
-    if dataclasses.is_dataclass(kind) and isinstance(kind, type):
-        hints = typing.get_type_hints(kind)
-        return kind(
-            **{key: _value(hints[key], value) for key, value in data.items()}
-        )
-    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
-    if origin is list:
-        return [_value(arguments[0], item) for item in data]
-    if origin is types.UnionType and data is not None:
-        return _value(arguments[0], data)
-    return data
-
-
-def write_text(path: Path, text: str) -> None:
-    """Writes a file under another name beside it and renames it when it is whole."""
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        part.write_text(text, encoding="utf-8", newline="\n")
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)

@@ -21,7 +21,7 @@ Places = Mapping[tuple[str, str, str], tuple[int, Mapped]]
 
 
 @dataclass(frozen=True)
-class Court:
+class ComparisonBasis:
     """What the maps are held against; ``folder`` is the run's, ``golden`` as in Plan."""
 
     reference: str
@@ -29,8 +29,8 @@ class Court:
     golden: Path | None
 
 
-def judge(
-    court: Court,
+def results_of_run(
+    basis: ComparisonBasis,
     built: Sequence[Built],
     scenarios: Sequence[ScenarioFile],
     modes: Sequence[Mode],
@@ -45,23 +45,23 @@ def judge(
     results = []
     for scenario in scenarios:
         for mode in modes:
-            one_map = _Judge(court, scenario, mode, places)
+            one_map = _CaseComparison(basis, scenario, mode, places)
             results += [one_map.result(one) for one in built]
     return results
 
 
-class _Judge:
+class _CaseComparison:
     """Compares the ports' maps of one scenario in one mode."""
 
     def __init__(
         self,
-        court: Court,
+        basis: ComparisonBasis,
         scenario: ScenarioFile,
         mode: Mode,
         places: Places,
     ) -> None:
-        self.court, self.scenario, self.mode, self.places = (
-            court,
+        self.basis, self.scenario, self.mode, self.places = (
+            basis,
             scenario,
             mode,
             places,
@@ -69,7 +69,7 @@ class _Judge:
         self.reference: MapOutput | None = None
         self.reference_folder: Path | None = None
         self.no_reference = "it has not run"
-        place = places.get((court.reference, scenario.name, mode.name))
+        place = places.get((basis.reference, scenario.name, mode.name))
         if place is not None:
             try:
                 self.reference = self.read(place[1])
@@ -77,9 +77,9 @@ class _Judge:
             except (OutputError, _Failed) as error:
                 self.no_reference = str(error)
         self.golden, self.golden_error = None, ""
-        if court.golden is not None:
+        if basis.golden is not None:
             try:
-                self.golden = read_golden(court.golden, scenario.map, mode)
+                self.golden = read_golden(basis.golden, scenario.map, mode)
             except (OutputError, OSError) as error:
                 self.golden_error = f"golden result: {error}"
 
@@ -113,7 +113,7 @@ class _Judge:
         except OutputError as error:
             return replace(blank, reason=str(error))
         picture = (one.folder / f"{found.name}.pgm").relative_to(
-            self.court.folder
+            self.basis.folder
         )
         height, width = found.pixels.shape
         blank = replace(
@@ -123,7 +123,7 @@ class _Judge:
             height=int(height),
         )
         if self.reference is None:
-            reason = f"no map of the reference {self.court.reference}: {self.no_reference}"
+            reason = f"no map of the reference {self.basis.reference}: {self.no_reference}"
             return replace(blank, reason=reason)
         if self.golden_error:
             return replace(blank, reason=self.golden_error)
@@ -134,10 +134,10 @@ class _Judge:
         assert self.reference is not None
         with_what: list[str] = []
         differences: list[Difference] = []
-        if blank.port != self.court.reference:
-            with_what.append(self.court.reference)
+        if blank.port != self.basis.reference:
+            with_what.append(self.basis.reference)
             differences += compare_maps(
-                found, self.reference, self.court.reference
+                found, self.reference, self.basis.reference
             )
         if self.golden is not None:
             with_what.append("golden")

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from occgrid_parity.check.verdict import Cause, Likely
 from occgrid_parity.explain.closeness import Closeness, differing, grey_levels
+from occgrid_parity.explain.findings import Cause, Likely
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.arithmetic import PLATFORM, PORTABLE, Arithmetic
 from occgrid_parity.model.mapper_steps import Drawn, Mapper
-from occgrid_parity.model.reference import world_of
 from occgrid_parity.model.rounding import beams_of
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 ARITHMETIC = {"portable": PORTABLE, "platform": PLATFORM}
 NO_MISTAKE = {

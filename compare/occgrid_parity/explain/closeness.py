@@ -22,17 +22,18 @@ import numpy.typing as npt
 from occgrid.grid import sigmoid
 from occgrid_parity.explain.edge_sides import (
     Distance,
-    Model,
     SideSearch,
     TracedWays,
+    UpdateModel,
 )
 from occgrid_parity.formats.log_odds import bits
-from occgrid_parity.model.mapper_steps import Drawn, Mapper, World
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.mapper_steps import Drawn, Mapper
+from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import Beams, U, beams_of
+from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
@@ -67,7 +68,7 @@ class Compared:
     together: bool = True
 
 
-def compare(
+def compare_with_reference(
     observed: Observed, case: Case, mode: Mode, own_poses: bool = False
 ) -> Compared:
     """Compares a map of the right size with the reference."""
@@ -180,9 +181,11 @@ class _Search:
         touched[TracedWays(self.beams, s.width, s.height, ways).cell] = True
         return touched
 
-    def model(self) -> Model:
+    def model(self) -> UpdateModel:
         s = self.world.settings
-        return Model(self.start, self.free, self.occupied, s.l_min, s.l_max)
+        return UpdateModel(
+            self.start, self.free, self.occupied, s.l_min, s.l_max
+        )
 
     def distance(self) -> Distance:
         """How far the program's cells are from values."""

@@ -7,18 +7,19 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from occgrid_parity.check.verdict import BeamCell, Endpoint, FirstDifference
-from occgrid_parity.compare.run_record import CellValue
+from occgrid_parity.compare.cell_values import CellValue, cell_value
 from occgrid_parity.explain.cell_drawing import Cell, draw_patch
-from occgrid_parity.explain.closeness import compare
+from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.explain.difference_search import Found, Trial
+from occgrid_parity.explain.findings import BeamCell, Endpoint, FirstDifference
 from occgrid_parity.model.line_cells import contract_lines
-from occgrid_parity.model.mapper_steps import Array, Drawn, Mask, World
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.mapper_steps import Array, Drawn, Mask
+from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import Beams, beams_of
+from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 LISTED_CELLS = 400
 
@@ -151,7 +152,7 @@ def report_deduced(
     case: Case, mode: Mode, observed: Observed, own_poses: bool
 ) -> FirstDifference | None:
     """What a finished map alone tells: the earliest beam that updates a wrong cell."""
-    compared = compare(observed, case, mode, own_poses)
+    compared = compare_with_reference(observed, case, mode, own_poses)
     wrong = (
         compared.unexplained if compared.unexplained.any() else compared.wrong
     )
@@ -242,14 +243,6 @@ def _expected(drawn: Drawn, cell: Cell) -> CellValue:
     return cell_value(
         int(drawn.pixels[::-1][gy, gx]), float(drawn.log_odds[gy, gx])
     )
-
-
-def cell_value(pixel: int, log_odds: float) -> CellValue:
-    """Pixel, log-odds with its bits, probability with six digits."""
-    z = math.exp(-abs(log_odds))
-    p = (1.0 if log_odds >= 0.0 else z) / (1.0 + z)
-    word = int(np.float64(log_odds).view(np.uint64))
-    return CellValue(pixel, repr(log_odds), f"{word:016x}", f"{p:.6g}")
 
 
 def _listed(cells: Mapping[Cell, str]) -> list[BeamCell]:

@@ -9,8 +9,8 @@ from typing import NamedTuple
 from occgrid_parity.explain.closeness import Compared
 from occgrid_parity.explain.shorter_scenarios import Shortener
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 MOST_LINES = 50_000
 

@@ -30,7 +30,7 @@ MOST_TRIES = 600  # and as many for each 10 cells that are open
 ASIDE = (0, 2)  # turns that may bring the map no nearer
 
 
-class Model(NamedTuple):
+class UpdateModel(NamedTuple):
     """Where a cell starts, what it can get, and its bounds."""
 
     start: float
@@ -110,7 +110,7 @@ class SideSearch:
     def __init__(
         self,
         traced: TracedWays,
-        model: Model,
+        model: UpdateModel,
         wrong: Cells,
         distance: Distance,
     ) -> None:

@@ -6,8 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from occgrid_parity.check.verdict import FirstDifference
-from occgrid_parity.explain.closeness import compare
+from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.explain.difference_record import (
     report_deduced,
     report_found,
@@ -17,11 +16,13 @@ from occgrid_parity.explain.difference_search import (
     Trial,
     search,
 )
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.explain.findings import FirstDifference
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.programs.runner import Runner
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 MINIMAL = "first-difference.log"
 
@@ -37,7 +38,7 @@ class _Trials:
         self.known: dict[str, Trial] = {}
 
     def judge(self, case: Case, observed: Observed) -> Trial:
-        compared = compare(observed, case, self.mode)
+        compared = compare_with_reference(observed, case, self.mode)
         wanted = (
             {"identical"} if self.strict else {"identical", "halves", "edges"}
         )
@@ -68,7 +69,7 @@ class Explained(NamedTuple):
     short: Trial | None = None
 
 
-def explain_difference(
+def find_first_difference(
     runner: Runner,
     case: Case,
     mode: Mode,

@@ -16,8 +16,8 @@ from collections.abc import Sequence
 
 from occgrid.sensor import PI, Scan, beam_angles
 from occgrid.world import Pose
-from occgrid_parity.model.reference import world_of
-from occgrid_parity.suite.scenario_text import Case
+from occgrid_parity.model.worlds import world_of
+from occgrid_parity.suite.cases import Case
 
 SCAN_KEYWORDS = (b"POSE", b"FLASER", b"ROBOTLASER1")
 TAIL = "0 0 0 0 0 0 host 0"

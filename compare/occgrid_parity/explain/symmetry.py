@@ -6,12 +6,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from occgrid_parity.explain.closeness import compare
+from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.formats.pgm import Pixels
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 Turn = Callable[[Pixels], Pixels]
 
@@ -42,6 +42,6 @@ def orientation(observed: Observed, case: Case, mode: Mode) -> list[str]:
         if turned.shape != expected:
             continue
         picture = Observed(np.ascontiguousarray(turned), None, "")
-        if compare(picture, case, mode).status != "differs":
+        if compare_with_reference(picture, case, mode).status != "differs":
             found.append(name)
     return found

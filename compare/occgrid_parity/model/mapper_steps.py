@@ -6,18 +6,18 @@ Without a mistake it draws the same bits as the reference; a test holds it to th
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from occgrid.scenario import Settings
 from occgrid.sensor import Scan
 from occgrid.world import Pose, Segment
 from occgrid_parity.model import arithmetic
 from occgrid_parity.model.arithmetic import Arithmetic
 from occgrid_parity.model.line_cells import Lines, contract_lines
+from occgrid_parity.model.worlds import World
 
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
@@ -50,14 +50,6 @@ class Traced(NamedTuple):
             self.gy[chosen],
             self.occupied[chosen],
         )
-
-
-class World(NamedTuple):
-    """What a scenario file holds."""
-
-    settings: Settings
-    walls: Sequence[Segment]
-    scans: Sequence[Pose | Scan]
 
 
 @functools.lru_cache(2048)

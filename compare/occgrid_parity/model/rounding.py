@@ -29,7 +29,7 @@ from occgrid.noise import normal_deviate
 from occgrid.scenario import Settings
 from occgrid.sensor import Scan, beam_angles, read_ranges
 from occgrid.world import Pose, Segment
-from occgrid_parity.model.mapper_steps import World
+from occgrid_parity.model.worlds import World
 
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from occgrid_parity.ports.declaration import Port
+from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.process_group import (
     Finished,
     first_line,
     run_process,
 )
+from occgrid_parity.processes.progress import Progress
 
 
 @dataclass(frozen=True)
@@ -88,3 +91,17 @@ def _version(
         stop=stop,
     )
     return first_line(stdout) or None if finished.succeeded else None
+
+
+def build_ports(
+    ports: Sequence[Port], logs: Path, jobs: int, progress: Progress
+) -> list[Built]:
+    """Builds ports side by side."""
+
+    def build(port: Port, stop: threading.Event) -> Built:
+        built = build_port(port, logs, stop)
+        said = built.problem or f"built in {built.seconds:.1f} s"
+        progress.step(f"{port.name}: {said}")
+        return built
+
+    return side_by_side(build, ports, jobs)

@@ -10,23 +10,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from occgrid_parity.ports.declaration_reader import (
+    DeclarationReader,
+    Need,
+    PortError,
+)
 from occgrid_parity.processes.process_group import search_path
 
 DECLARATION = "port.toml"
-LIST_PLACEHOLDERS = ("mode", "scenario", "scenarios")
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
-
-
-class PortError(ValueError):
-    """A declaration that cannot be used; the text names the file and the key."""
-
-
-@dataclass(frozen=True)
-class Need:
-    """A command that must be on the PATH, and the package that brings it."""
-
-    command: str
-    install: str
 
 
 @dataclass(frozen=True)
@@ -101,33 +93,13 @@ def expand(
     return command
 
 
-def find_ports(root: Path) -> list[Port]:
-    """The ports declared by ``*/port.toml`` in ``root``, by name, python first.
-
-    Raises PortError where there is none, where a declaration cannot be used and where
-    two share a name.
-    """
-    ports = [read_port(path) for path in sorted(root.glob(f"*/{DECLARATION}"))]
-    if not ports:
-        raise PortError(f"{root}: no folder in it has a {DECLARATION}")
-    for port in ports:
-        twins = [
-            other.folder.name for other in ports if other.name == port.name
-        ]
-        if len(twins) > 1:
-            raise PortError(
-                f"{' and '.join(twins)}: both ports are named {port.name}"
-            )
-    return sorted(ports, key=lambda port: (port.name != "python", port.name))
-
-
 def read_port(path: Path) -> Port:
     """The port that the file declares. Raises PortError where it cannot be used."""
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise PortError(f"{path}: {error}") from error
-    reader = _Reader(path, table)
+    reader = DeclarationReader(path, table)
     port = Port(
         name=reader.text("name"),
         language=reader.text("language"),
@@ -151,79 +123,3 @@ def read_port(path: Path) -> Port:
         if not any(word in argument for argument in port.run):
             raise reader.error(f"run has no {word}")
     return port
-
-
-class _Reader:
-    """Takes the keys of one declaration out of its table, with its errors."""
-
-    def __init__(self, path: Path, table: dict[str, object]) -> None:
-        self.path = path
-        self.table = dict(table)
-
-    def error(self, reason: str) -> PortError:
-        return PortError(f"{self.path}: {reason}")
-
-    def no_more_keys(self) -> None:
-        if self.table:
-            raise self.error(f"unknown key {', '.join(sorted(self.table))}")
-
-    def text(self, key: str) -> str:
-        value = self.table.pop(key, None)
-        if not isinstance(value, str) or not value:
-            raise self.error(f"{key} must be a text")
-        return value
-
-    def seconds(self, key: str, default: float | None = None) -> float:
-        value = self.table.pop(key, default)
-        if (
-            isinstance(value, bool)
-            or not isinstance(value, int | float)
-            or value <= 0
-        ):
-            raise self.error(f"{key} must be a number of seconds above 0")
-        return float(value)
-
-    def count(self, key: str) -> int | None:
-        value = self.table.pop(key, None)
-        if value is None:
-            return None
-        if isinstance(value, bool) or not isinstance(value, int) or value <= 0:
-            raise self.error(f"{key} must be a whole number above 0")
-        return value
-
-    def command(self, key: str, required: bool = False) -> tuple[str, ...]:
-        value = self.table.pop(key, None)
-        if value is None and not required:
-            return ()
-        return self._command(key, value)
-
-    def commands(self, key: str) -> tuple[tuple[str, ...], ...]:
-        value = self.table.pop(key, [])
-        if not isinstance(value, list):
-            raise self.error(f"{key} must be a list of commands")
-        return tuple(self._command(key, command) for command in value)
-
-    def _command(self, key: str, value: object) -> tuple[str, ...]:
-        words = value if isinstance(value, list) else []
-        if not words or not all(isinstance(word, str) for word in words):
-            raise self.error(f"{key} must be a command, a list of texts")
-        for word in words:
-            for name in LIST_PLACEHOLDERS:
-                if "{" + name + "}" in word and word != "{" + name + "}":
-                    raise self.error(
-                        f"{key}: {{{name}}} must be an argument of its own"
-                    )
-        return tuple(words)
-
-    def needs(self) -> tuple[Need, ...]:
-        value = self.table.pop("needs", [])
-        if not isinstance(value, list):
-            raise self.error("needs must be tables [[needs]]")
-        needs = []
-        for entry in value:
-            inner = _Reader(
-                self.path, entry if isinstance(entry, dict) else {}
-            )
-            needs.append(Need(inner.text("command"), inner.text("install")))
-            inner.no_more_keys()
-        return tuple(needs)

@@ -105,7 +105,7 @@ def run_limited(
         message = f"the run could not be watched to its end ({said})"
         return Ended("lost", message, finished.seconds, stdout, stderr)
     told = json.loads(report.read_text())
-    word, message = _judge(told, command, limits, stdout, stderr)
+    word, message = _what_went_wrong(told, command, limits, stdout, stderr)
     return Ended(
         word,
         message,
@@ -117,7 +117,7 @@ def run_limited(
     )
 
 
-def _judge(
+def _what_went_wrong(
     told: dict[str, object],
     command: Sequence[str],
     limits: Limits,

@@ -46,7 +46,7 @@ class Unreadable:
     message: str
 
 
-def read_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
+def find_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
     """The map of one run: ``pgm``, else the folder's only picture, else standard output."""
     picture = _find(out, pgm)
     if isinstance(picture, Unreadable):

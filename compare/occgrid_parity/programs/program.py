@@ -11,13 +11,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from occgrid_parity.ports.declaration import (
-    DECLARATION,
-    Port,
+from occgrid_parity.ports.declaration import DECLARATION, Port, expand
+from occgrid_parity.ports.declaration_reader import (
+    DeclarationReader,
     PortError,
-    expand,
 )
-from occgrid_parity.ports.declaration import _Reader as DeclarationReader
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 DEFAULT_TIMEOUT = 60.0

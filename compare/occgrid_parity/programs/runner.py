@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Protocol
 
 from occgrid_parity.processes.limits import Limits, run_limited
-from occgrid_parity.programs.observed_map import Observed, Unreadable, read_map
+from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
 from occgrid_parity.programs.program import Program
+from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenario_text import Case
 
 
 @dataclass(frozen=True)
@@ -127,7 +127,7 @@ class CommandRunner:
                 False,
                 tuple(notes),
             )
-        found = read_map(out, pgm, ended.stdout)
+        found = find_map(out, pgm, ended.stdout)
         if isinstance(found, Unreadable):
             return Outcome(
                 ended.seconds,

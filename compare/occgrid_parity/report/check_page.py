@@ -20,7 +20,7 @@ from occgrid_parity.check.verdict_text import (
     verdict_status,
     verdict_word,
 )
-from occgrid_parity.check.whole_check import Judged
+from occgrid_parity.check.whole_check import ComparedMap
 from occgrid_parity.check.wording import plural
 from occgrid_parity.compare.run_record import (
     SCHEMA,
@@ -29,10 +29,17 @@ from occgrid_parity.compare.run_record import (
     RunRecord,
     ScenarioRecord,
     Status,
-    write_text,
 )
-from occgrid_parity.model.reference import reference_map, world_of
-from occgrid_parity.report.cases import Case, DrawnMap, PortMap, Tone, place
+from occgrid_parity.formats.text_files import write_text
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.worlds import world_of
+from occgrid_parity.report.case_views import (
+    CaseView,
+    DrawnMap,
+    PortMap,
+    Tone,
+    place,
+)
 from occgrid_parity.report.frames import record_frames
 from occgrid_parity.report.run_page import PAGE_FILE, render
 
@@ -48,7 +55,7 @@ TONES: dict[str, Tone] = {
 
 
 def write_check_page(
-    verdict: Verdict, judged: list[Judged], target: Path
+    verdict: Verdict, judged: list[ComparedMap], target: Path
 ) -> Path:
     """Write the page of a check into a folder, made where it is missing; returns its file.
 
@@ -84,7 +91,7 @@ def write_check_page(
     return page
 
 
-def _start(verdict: Verdict, judged: list[Judged]) -> str:
+def _start(verdict: Verdict, judged: list[ComparedMap]) -> str:
     """What the page shows first: the cell of the first difference, if its map is here."""
     difference = verdict.first_difference
     if difference is None:
@@ -97,7 +104,7 @@ def _start(verdict: Verdict, judged: list[Judged]) -> str:
     return ""
 
 
-def _record(verdict: Verdict, judged: list[Judged]) -> RunRecord:
+def _record(verdict: Verdict, judged: list[ComparedMap]) -> RunRecord:
     """The check in the form of a run of two: the reference and the program."""
     names = list(dict.fromkeys(one.case.name for one in judged))
     modes = list(dict.fromkeys(one.mode.name for one in judged))
@@ -121,7 +128,7 @@ def _record(verdict: Verdict, judged: list[Judged]) -> RunRecord:
     )
 
 
-def _results(verdict: Verdict, one: Judged) -> tuple[Result, Result]:
+def _results(verdict: Verdict, one: ComparedMap) -> tuple[Result, Result]:
     """The reference's result, which is given, and the program's."""
     said = one.result.message
     status: Status = (
@@ -140,7 +147,7 @@ def _results(verdict: Verdict, one: Judged) -> tuple[Result, Result]:
     )
 
 
-def _case(verdict: Verdict, one: Judged) -> Case:
+def _case(verdict: Verdict, one: ComparedMap) -> CaseView:
     world = world_of(one.case)
     drawn = reference_map(one.case, one.mode)
     maps: list[DrawnMap] = []
@@ -169,7 +176,7 @@ def _case(verdict: Verdict, one: Judged) -> Case:
     scenario = Scenario(
         one.case.name, world.settings, list(world.walls), iter(world.scans)
     )
-    return Case(
+    return CaseView(
         scenario=one.case.name,
         mode=one.mode,
         about="",

@@ -17,7 +17,7 @@ from occgrid_parity.check.verdict_text import (
     verdict_status,
     verdict_word,
 )
-from occgrid_parity.compare.run_record import write_text
+from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.report.check_page import TONES
 from occgrid_parity.report.run_page import PAGE_FILE, asset, environment
 

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.verdict_text import verdict_text
 from occgrid_parity.compare.run_record import Result, RunRecord
-from occgrid_parity.report.run_table import explain
+from occgrid_parity.report.run_table import explain_result
 
 UNCHECKED = ("not checked", "not reached")
 
@@ -107,7 +107,7 @@ def _case(suite: ElementTree.Element, result: Result) -> None:
     said = ElementTree.SubElement(
         case, tag, message=_xml_text(result.reason), type=result.status
     )
-    said.text = _xml_text("\n".join(explain(result)))
+    said.text = _xml_text("\n".join(explain_result(result)))
 
 
 def _xml_text(text: str) -> str:

@@ -9,10 +9,11 @@ import numpy as np
 from occgrid_parity.explain.closeness import differing
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.mapper_steps import Mapper
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import LESSON, case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
-from occgrid_parity.suite.scenario_text import LESSON, case
 
 PAGE = "docs/mistakes.md"
 SMALL = (

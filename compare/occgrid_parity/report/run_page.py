@@ -12,8 +12,9 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
-from occgrid_parity.compare.run_record import RunRecord, to_json, write_text
-from occgrid_parity.report.cases import Case, cases_of
+from occgrid_parity.compare.run_record import RunRecord, to_json
+from occgrid_parity.formats.text_files import write_text
+from occgrid_parity.report.case_views import CaseView, case_views
 from occgrid_parity.report.packing import pack, pack_frames, pack_log_odds
 from occgrid_parity.report.run_table import footnotes, summary
 
@@ -29,7 +30,7 @@ def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
     text = render(
         "page.html",
         record,
-        cases_of(record, run_folder),
+        case_views(record, run_folder),
         footnotes(record),
         summary=summary(record),
     )
@@ -53,7 +54,7 @@ def environment() -> Environment:
 def render(
     template: str,
     record: RunRecord,
-    cases: Iterable[Case],
+    cases: Iterable[CaseView],
     footnotes: Sequence[str],
     start: str = "",
     **more: object,
@@ -96,7 +97,7 @@ def _json(data: Any) -> Markup:
     )
 
 
-def _case(record: RunRecord, case: Case) -> dict[str, Any]:
+def _case(record: RunRecord, case: CaseView) -> dict[str, Any]:
     """A case as the page's script wants it."""
     spec = case.spec
     return {

@@ -8,12 +8,8 @@ from rich.box import SIMPLE
 from rich.table import Table
 from rich.text import Text
 
-from occgrid_parity.compare.run_record import (
-    CellValue,
-    Difference,
-    Result,
-    RunRecord,
-)
+from occgrid_parity.compare.cell_values import CellValue
+from occgrid_parity.compare.run_record import Difference, Result, RunRecord
 
 STYLES = {
     "reference": "dim",
@@ -88,11 +84,11 @@ def explanations(record: RunRecord) -> list[str]:
     lines: list[str] = []
     for result in record.results:
         if result.status not in ("identical", "skipped"):
-            lines += ["", *explain(result)]
+            lines += ["", *explain_result(result)]
     return lines
 
 
-def explain(result: Result) -> list[str]:
+def explain_result(result: Result) -> list[str]:
     """One result in words: status, reason, and where its files differ."""
     head = f"{result.port}, {result.scenario}, {result.mode}: {result.status}"
     if result.status != "differs":

@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from occgrid_parity.check.verdict import from_json
 from occgrid_parity.commands.app import app
-from occgrid_parity.suite.scenario_text import scenario_folder
+from occgrid_parity.suite.cases import scenario_folder
 
 from ..check_helpers import PROGRAMS
 

@@ -15,7 +15,7 @@ from occgrid_parity.check.class_run import SUMMARY, check_class
 from occgrid_parity.check.verdict import from_json
 from occgrid_parity.commands.console_progress import ConsoleProgress
 from occgrid_parity.processes.limits import MEBI, Limits
-from occgrid_parity.suite.scenario_text import scenario_folder
+from occgrid_parity.suite.cases import scenario_folder
 
 GOLDEN = scenario_folder() / "golden"
 

@@ -10,15 +10,16 @@ import pytest
 from occgrid_parity.check.verdict_text import verdict_text
 from occgrid_parity.check.whole_check import Options, check
 from occgrid_parity.explain.cell_drawing import draw_patch
-from occgrid_parity.explain.first_difference import explain_difference
+from occgrid_parity.explain.first_difference import find_first_difference
 from occgrid_parity.explain.shorter_scenarios import Shortener
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.mistakes.catalogue import MISTAKES
 from occgrid_parity.model.mapper_steps import Mapper
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import beams_of
+from occgrid_parity.model.worlds import world_of
+from occgrid_parity.suite.cases import Case, case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
-from occgrid_parity.suite.scenario_text import Case, case
 
 from ..check_helpers import MapperRunner, wrong_beam
 
@@ -43,7 +44,7 @@ def test_finds_scan_and_beam(
     runner = MapperRunner(wrong)
     observed = runner.run(one, NOISE_FREE).observed
     assert observed is not None
-    difference, runs, short = explain_difference(
+    difference, runs, short = find_first_difference(
         runner, one, NOISE_FREE, observed, False, tmp_path
     )
     assert difference is not None and difference.runs == runs

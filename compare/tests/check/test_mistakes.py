@@ -13,11 +13,12 @@ from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.arithmetic import PLATFORM
 from occgrid_parity.model.mapper_steps import Array, Mapper
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.report.mistakes_page import COLUMNS, PAGE, page, table
+from occgrid_parity.suite.cases import case, scenario_folder
 from occgrid_parity.suite.modes import Mode
 from occgrid_parity.suite.repository import find_root
-from occgrid_parity.suite.scenario_text import case, scenario_folder
 
 from ..check_helpers import MapperRunner, check_mapper, names
 

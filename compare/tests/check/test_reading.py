@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from occgrid_parity.ports.declaration import PortError
-from occgrid_parity.programs.observed_map import Observed, Unreadable, read_map
+from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
 from occgrid_parity.programs.program import (
     program_from_command,
     program_from_port,
@@ -27,7 +27,7 @@ def look(
         (out / name).write_bytes(data)
     printed = folder / "stdout"
     printed.write_bytes(stdout)
-    return read_map(out, out / "lesson.pgm", printed)
+    return find_map(out, out / "lesson.pgm", printed)
 
 
 @pytest.mark.parametrize(

@@ -9,15 +9,19 @@ import pytest
 
 from occgrid.sensor import Scan
 from occgrid_parity.check.whole_check import check
-from occgrid_parity.explain.closeness import compare, grey_levels
+from occgrid_parity.explain.closeness import (
+    compare_with_reference,
+    grey_levels,
+)
 from occgrid_parity.model.arithmetic import PLATFORM
 from occgrid_parity.model.line_cells import contract_lines
 from occgrid_parity.model.mapper_steps import Cells, Drawn, Mapper, Traced
-from occgrid_parity.model.reference import reference_map, world_of
+from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import beams_of
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import TWIN, case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
-from occgrid_parity.suite.scenario_text import TWIN, case
 
 from ..check_helpers import MapperRunner, wrong_beam
 
@@ -223,7 +227,9 @@ def test_beams_on_the_other_side_of_an_edge_are_named(
         others = (beams.ways.beam == beam) & ~beams.ways.contract
         ways[beam] = rng.choice(np.flatnonzero(others))
     drawn = drawn_with(name, ways)
-    compared = compare(as_observed(drawn, log_odds), case(name), NOISE_FREE)
+    compared = compare_with_reference(
+        as_observed(drawn, log_odds), case(name), NOISE_FREE
+    )
     assert compared.status == "edges"
     assert compared.edge_beams
     assert len(compared.edge_beams) <= turned
@@ -237,7 +243,9 @@ def test_half_a_turn_is_an_error() -> None:
     assert index in beams.undecided
     x, y = float(beams.ex[index]), float(beams.ey[index])
     drawn = wrong_beam(x, y)(world_of(one), None).draw()
-    compared = compare(as_observed(drawn, True), one, NOISE_FREE)
+    compared = compare_with_reference(
+        as_observed(drawn, True), one, NOISE_FREE
+    )
     assert compared.wrong.sum() == 1
     assert compared.status == "differs"
     assert not compared.together
@@ -257,7 +265,9 @@ def test_a_beam_that_rounding_does_not_decide_is_an_error(
     )
     drawn = turned(world_of(one), None).draw()
     assert (
-        compare(as_observed(drawn, log_odds), one, NOISE_FREE).status
+        compare_with_reference(
+            as_observed(drawn, log_odds), one, NOISE_FREE
+        ).status
         == "differs"
     )
 
@@ -267,7 +277,10 @@ def test_one_wrong_cell_among_rounded_ones_is_an_error(log_odds: bool) -> None:
     one = case("lesson")
     drawn = Mapper(world_of(one), None, PLATFORM).draw()
     good = as_observed(drawn, log_odds)
-    assert compare(good, one, NOISE_FREE).status in ("edges", "halves")
+    assert compare_with_reference(good, one, NOISE_FREE).status in (
+        "edges",
+        "halves",
+    )
     beams = beams_of(world_of(one), None)
     wall = int(
         np.flatnonzero(
@@ -284,7 +297,9 @@ def test_one_wrong_cell_among_rounded_ones_is_an_error(log_odds: bool) -> None:
     bad.log_odds[gy, gx] += 0.01
     bad.pixels[::-1][gy, gx] ^= 1
     assert (
-        compare(as_observed(bad, log_odds), one, NOISE_FREE).status
+        compare_with_reference(
+            as_observed(bad, log_odds), one, NOISE_FREE
+        ).status
         == "differs"
     )
 
@@ -293,7 +308,9 @@ def test_one_wrong_cell_among_rounded_ones_is_an_error(log_odds: bool) -> None:
 def test_another_logarithm_is_told_by_its_steps(name: str) -> None:
     one = case(name)
     drawn = Mapper(world_of(one), None, PLATFORM).draw()
-    compared = compare(as_observed(drawn, True), one, NOISE_FREE)
+    compared = compare_with_reference(
+        as_observed(drawn, True), one, NOISE_FREE
+    )
     assert compared.status == "identical"
     expected = Mapper(world_of(one), None, PLATFORM).steps()
     assert compared.steps == (

@@ -3,7 +3,8 @@
 import sys
 from pathlib import Path
 
-from occgrid_parity.mistakes.catalogue import MISTAKES, read_world
+from occgrid_parity.mistakes.catalogue import MISTAKES
+from occgrid_parity.model.worlds import read_world
 
 mistake, *mode, out, scenario = sys.argv[1:]
 seed = int(mode[1]) if mode[0] == "--seed" else None

@@ -7,11 +7,6 @@ import hashlib
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from occgrid.mapper import map_scenario
-from occgrid.scenario import read_scenario
-from occgrid_parity.formats.log_odds import hash_log_odds
-from occgrid_parity.suite.golden import read_golden
-from occgrid_parity.suite.modes import Mode
 from occgrid_parity.suite.repository import find_root
 
 LESSON = "lesson"
@@ -58,22 +53,3 @@ def built_in() -> Case:
 def case_from(path: Path) -> Case:
     """A scenario in any file. Raises OSError where it cannot be read."""
     return Case(path.stem, path.read_bytes())
-
-
-def golden_problem(name: str, mode: Mode) -> str | None:
-    """Why the reference on this machine is not the committed result; None where it is, or none is committed.
-
-    The Python port is the reference of every check, so it is held to the results that came with it first.
-    """
-    folder = scenario_folder() / "golden"
-    golden = read_golden(folder, name, mode)
-    if golden is None:
-        return None
-    with read_scenario(scenario_folder() / f"{name}.log") as scenario:
-        grid = map_scenario(scenario, mode.seed)
-    if hash_log_odds(grid.log_odds) == golden.scans[-1]:
-        return None
-    return (
-        f"the Python port's map of {name} ({mode.name}) is not the committed one: nothing can be checked on this "
-        "machine"
-    )

@@ -21,7 +21,7 @@ from occgrid_parity.compare.run_record import (
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.map_files import read_map
 from occgrid_parity.report.frames import Frames, lesson_or_file, record_frames
-from occgrid_parity.report.run_table import explain, shown_status
+from occgrid_parity.report.run_table import explain_result, shown_status
 from occgrid_parity.suite.modes import Mode, parse_mode
 
 
@@ -57,7 +57,7 @@ class PortMap:
 
 
 @dataclass(frozen=True)
-class Case:
+class CaseView:
     """One scenario in one mode. ``maps`` has each different map once, the reference's first.
 
     ``about`` is the scenario's own first comment. ``frames`` are the reference's
@@ -78,7 +78,7 @@ class Case:
         return any(port.tone == "bad" for port in self.ports)
 
 
-def cases_of(record: RunRecord, folder: Path) -> Iterator[Case]:
+def case_views(record: RunRecord, folder: Path) -> Iterator[CaseView]:
     """The cases of a run, one at a time; ``folder`` is the run's, wherever it lies now.
 
     A map that cannot be read is left out: its result says why already.
@@ -90,7 +90,7 @@ def cases_of(record: RunRecord, folder: Path) -> Iterator[Case]:
 
 def _case(
     record: RunRecord, folder: Path, scenario: ScenarioRecord, mode: Mode
-) -> Case:
+) -> CaseView:
     results = [
         record.result(port.name, scenario.name, mode.name)
         for port in record.ports
@@ -103,13 +103,13 @@ def _case(
         index = None if found is None else place(maps, found)
         ports[result.port] = PortMap(
             result,
-            explain(result),
+            explain_result(result),
             index,
             shown_status(result),
             TONES.get(result.status, "bad"),
         )
     about, spec, frames = _scenario(scenario, mode)
-    return Case(
+    return CaseView(
         scenario=scenario.name,
         mode=mode,
         about=about,
