@@ -8,9 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from occgrid_parity.check.class_run import check_program
+from occgrid_parity.check.check_options import Options
+from occgrid_parity.check.program_check import check_program
 from occgrid_parity.check.verdict import Verdict
-from occgrid_parity.check.whole_check import Options, check
+from occgrid_parity.check.whole_check import check
 from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
 from occgrid_parity.model.line_cells import Lines
 from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Mask

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import tempfile
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from occgrid_parity.check.check_options import Options
+from occgrid_parity.check.class_summary import SUMMARY, Submission, summary_csv
+from occgrid_parity.check.program_check import broken, check_program
+from occgrid_parity.check.program_maps import ComparedMap
 from occgrid_parity.check.verdict import Verdict, to_json
 from occgrid_parity.check.verdict_text import verdict_text
-from occgrid_parity.check.whole_check import (
-    ComparedMap,
-    Options,
-    broken,
-    check,
-)
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.ports.declaration import DECLARATION
 from occgrid_parity.ports.declaration_reader import PortError
@@ -30,104 +25,92 @@ from occgrid_parity.programs.runner import CommandRunner
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
-SUMMARY = "summary.csv"
-COLUMNS = (
-    "submission", "verdict", "level", "word", "summary", "scenario", "scan", "beam", "cause", "compared",
-    "runs", "seconds",
-)  # fmt: skip
+OnChecked = Callable[[str, Verdict, list[ComparedMap]], None]
+"""on_checked(name, verdict, maps) of a submission."""
 
 
 @dataclass(frozen=True)
-class Submission:
-    """One folder of a class, and what came of it."""
+class ClassPlan:
+    """What to check of a class.
 
-    name: str
-    verdict: Verdict
+    ``folder`` has a folder for each submission, ``out`` gets the records. ``cases`` and ``modes`` as in Options;
+    ``timeout``, seconds for one run, goes before what port.toml says.
+    """
 
+    folder: Path
+    out: Path
+    limits: Limits
+    jobs: int = 2
+    cases: Sequence[Case] = ()
+    modes: Sequence[Mode] = ()
+    timeout: float | None = None
 
-def check_program(
-    program: Program,
-    limits: Limits,
-    options: Options,
-    stop: threading.Event | None = None,
-) -> Verdict:
-    """Builds and checks a program in a temporary folder."""
-    with tempfile.TemporaryDirectory(prefix="occgrid-parity-check-") as folder:
-        runner = CommandRunner(program, Path(folder), limits, stop)
-        problem = runner.build()
-        if problem is not None:
-            return broken(runner, problem.word, problem.message)
-        return check(runner, options)
+    def submissions(self) -> list[Path]:
+        """The folders of the submissions, by name."""
+        return sorted(
+            path
+            for path in self.folder.iterdir()
+            if path.is_dir()
+            and not path.name.startswith(".")
+            and path.resolve() != self.out.resolve()
+        )
 
 
 def check_class(
-    folder: Path,
-    out: Path,
-    limits: Limits,
-    jobs: int,
-    progress: Progress,
-    cases: Sequence[Case] = (),
-    modes: Sequence[Mode] = (),
-    timeout: float | None = None,
-    on_checked: Callable[[str, Verdict, list[ComparedMap]], None]
-    | None = None,
+    plan: ClassPlan, progress: Progress, on_checked: OnChecked | None = None
 ) -> list[Submission]:
-    """Checks every folder in ``folder``; writes one record and text each, and the summary, into ``out``.
+    """Checks every submission; writes one record and text each, and the summary.
 
     ``on_checked`` is told of each submission and its maps, from several threads.
     """
-    places = sorted(
-        p
-        for p in folder.iterdir()
-        if p.is_dir()
-        and not p.name.startswith(".")
-        and p.resolve() != out.resolve()
-    )
+    places = plan.submissions()
     progress.total(len(places))
-    out.mkdir(parents=True, exist_ok=True)
+    plan.out.mkdir(parents=True, exist_ok=True)
 
     def one(place: Path, stop: threading.Event) -> Submission:
-        save = out / place.name
         maps: list[ComparedMap] = []
         keep = None if on_checked is None else maps.append
-        options = Options(cases, modes, save=save, on_map=keep)
-        verdict = check_submission(place, limits, options, timeout, stop)
-        save.mkdir(parents=True, exist_ok=True)
-        write_text(save / "verdict.json", to_json(verdict))
-        write_text(save / "verdict.txt", verdict_text(verdict))
+        verdict = check_submission(plan, place, keep, stop)
+        write_verdict(plan.out / place.name, verdict)
         if on_checked is not None:
             on_checked(place.name, verdict, maps)
         progress.step(f"{place.name}: {verdict.summary}")
         return Submission(place.name, verdict)
 
-    found = side_by_side(one, places, jobs)
-    write_text(out / SUMMARY, summary_csv(found))
+    found = side_by_side(one, places, plan.jobs)
+    write_text(plan.out / SUMMARY, summary_csv(found))
     return found
 
 
+def write_verdict(folder: Path, verdict: Verdict) -> None:
+    """The verdict of one submission, as record and as text."""
+    folder.mkdir(parents=True, exist_ok=True)
+    write_text(folder / "verdict.json", to_json(verdict))
+    write_text(folder / "verdict.txt", verdict_text(verdict))
+
+
 def check_submission(
+    plan: ClassPlan,
     place: Path,
-    limits: Limits,
-    options: Options,
-    timeout: float | None,
-    stop: threading.Event | None,
+    on_map: Callable[[ComparedMap], None] | None = None,
+    stop: threading.Event | None = None,
 ) -> Verdict:
     """One submission. Whatever goes wrong is its verdict: the others go on."""
     blank = Program(place.name, ("?",), place, words="")
-    runner = CommandRunner(blank, place, limits)
+    runner = CommandRunner(blank, place, plan.limits)
     if not (place / DECLARATION).is_file():
         return broken(
             runner, "no port.toml", f"{place.name} has no {DECLARATION}"
         )
     try:
-        program = program_from_port(place, timeout)
+        program = program_from_port(place, plan.timeout)
     except PortError as error:
         return broken(runner, "bad port.toml", str(error))
-    own = Limits(
-        program.timeout, limits.output, limits.memory, limits.processes
-    )
+    limits = replace(plan.limits, seconds=program.timeout)
+    save = plan.out / place.name
+    options = Options(plan.cases, plan.modes, save=save, on_map=on_map)
     try:
-        return check_program(program, own, options, stop)
+        return check_program(program, limits, options, stop)
     except Stopped:
         raise
     except (
@@ -136,31 +119,3 @@ def check_submission(
         return broken(
             runner, "harness error", f"{type(error).__name__}: {error}"
         )
-
-
-def summary_csv(submissions: Sequence[Submission]) -> str:
-    """One line for each submission."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    for one in submissions:
-        v = one.verdict
-        level, d = v.failed_level, v.first_difference
-        causes = [c.name for c in v.cause.candidates] if v.cause else []
-        writer.writerow(
-            [
-                one.name,
-                v.overall,
-                level.name if level else "",
-                level.word if level else "",
-                v.summary,
-                d.scenario if d else "",
-                "" if d is None or d.scan is None else d.scan,
-                "" if d is None or d.beam is None else d.beam,
-                " or ".join(causes),
-                v.compared,
-                v.runs,
-                v.seconds,
-            ]
-        )
-    return text.getvalue()

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
-from occgrid_parity.suite.cases import LESSON, TWIN
+from occgrid_parity.programs.runner import Runner
+from occgrid_parity.suite.cases import LESSON, TWIN, Case, built_in, case
 from occgrid_parity.suite.modes import Mode
 
 SEEDS = (Mode(0), Mode(1))
@@ -59,3 +62,47 @@ EVIDENCE = (
     "flaser",
     "robotlaser1",
 )
+
+
+class LevelRuns(NamedTuple):
+    """A level of one program, with the scenarios and modes to map; none where it cannot be checked."""
+
+    name: str
+    title: str
+    runs: list[tuple[Case, Mode]]
+
+
+def case_for(runner: Runner, name: str) -> Case:
+    """A scenario of the suite; the lesson as it is built in for a program that has only that."""
+    return case(name) if runner.reads_scenarios else built_in()
+
+
+def level_runs(runner: Runner) -> list[LevelRuns]:
+    """The levels of a program."""
+    levels = []
+    for plan in LEVELS:
+        modes = SEEDS if plan.noisy else (runner.plain_mode,)
+        names = plan.scenarios
+        if not runner.reads_scenarios:
+            names = tuple(name for name in names if name == LESSON)
+        if plan.noisy and not runner.takes_seeds:
+            names = ()
+        runs = [
+            (case_for(runner, name), mode) for name in names for mode in modes
+        ]
+        levels.append(LevelRuns(plan.name, plan.title, runs))
+    return levels
+
+
+def chosen_runs(
+    runner: Runner, cases: Sequence[Case], modes: Sequence[Mode]
+) -> list[LevelRuns]:
+    """A level for each of these scenarios; without ``modes`` in the program's plain one."""
+    return [
+        LevelRuns(
+            case.name,
+            case.name,
+            [(case, mode) for mode in modes or (runner.plain_mode,)],
+        )
+        for case in cases
+    ]

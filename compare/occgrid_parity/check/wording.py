@@ -16,6 +16,13 @@ def plural(count: int, one: str, many: str | None = None) -> str:
     return f"{count} {one if count == 1 else many or one + 's'}"
 
 
+def listed(words: Sequence[str]) -> str:
+    """``a``, ``a and b``, ``a, b and c``."""
+    if len(words) < 2:
+        return "".join(words)
+    return ", ".join(words[:-1]) + " and " + words[-1]
+
+
 def size(shape: tuple[int, ...]) -> str:
     """``220 x 180`` of an array (height, width)."""
     return f"{shape[1]} x {shape[0]}"
@@ -83,6 +90,7 @@ def case_result(
 
 LESSON_ONLY = "everything but the lesson: the command has no {scenario}, so the program has only the lesson built in"
 NO_SEED = "seeded noise: the command has neither {mode} nor {seed}, so the program is taken as noise-free"
+ONLY_PIXELS = "pixels only"
 PIXELS_ONLY = "log-odds: the program writes no .logodds file, so only pixels are compared"
 NO_TWIN = "the well-conditioned lesson, which would tell rounding from error once more"
 OWN_NOISE = (

@@ -9,18 +9,13 @@ import typer
 from rich.console import Console
 from rich.table import Table
 
+from occgrid_parity.commands.console import Root, print_plain
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.mistakes.catalogue import MISTAKES
 from occgrid_parity.report.mistakes_page import PAGE, page, table
 from occgrid_parity.suite.repository import find_root
 
 Write = Annotated[bool, typer.Option("--write", help=f"Write {PAGE}.")]
-Root = Annotated[
-    Path | None,
-    typer.Option(
-        "--root", metavar="DIR", help="The repository, if not this one."
-    ),
-]
 
 
 def mistakes_command(write: Write = False, root: Root = None) -> None:
@@ -31,7 +26,7 @@ def mistakes_command(write: Write = False, root: Root = None) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         file = folder / Path(PAGE).name
         write_text(file, page(table()))
-        console.print(str(file), markup=False, highlight=False, soft_wrap=True)
+        print_plain(console, str(file))
         return
     shown = Table("name", "mistake")
     for name, mistake in MISTAKES.items():

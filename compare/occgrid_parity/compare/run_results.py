@@ -1,4 +1,4 @@
-"""Judges the maps of a run: each against the reference port's and the golden ones."""
+"""The results of a run: each map beside the reference port's and the golden one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs a stranger's command in an empty folder, within limits of time, output, memory and processes."""
+"""Runs a command that may not end by itself, within limits of time, output, memory and processes."""
 
 from __future__ import annotations
 

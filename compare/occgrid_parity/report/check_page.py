@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from occgrid.scenario import Scenario
+from occgrid_parity.check.program_maps import ComparedMap
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.check.verdict_text import (
     HALVES,
@@ -20,7 +21,6 @@ from occgrid_parity.check.verdict_text import (
     verdict_status,
     verdict_word,
 )
-from occgrid_parity.check.whole_check import ComparedMap
 from occgrid_parity.check.wording import plural
 from occgrid_parity.compare.run_record import (
     SCHEMA,

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from occgrid_parity.check.class_run import SUMMARY, check_class
+from occgrid_parity.check.class_run import ClassPlan, check_class
+from occgrid_parity.check.class_summary import SUMMARY
 from occgrid_parity.check.verdict import from_json
 from occgrid_parity.commands.console_progress import ConsoleProgress
 from occgrid_parity.processes.limits import MEBI, Limits
@@ -76,9 +77,8 @@ def checked(
     )
     started = time.monotonic()
     with ConsoleProgress(console) as progress:
-        check_class(
-            folder / "in", folder / "out", limits, 2, progress, timeout=3
-        )
+        plan = ClassPlan(folder / "in", folder / "out", limits, timeout=3)
+        check_class(plan, progress)
     seconds = time.monotonic() - started
     console.file.close()
     with (folder / "out" / SUMMARY).open() as file:

@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.verdict_text import verdict_text
-from occgrid_parity.check.whole_check import Options, check
+from occgrid_parity.check.whole_check import check
 from occgrid_parity.explain.cell_drawing import draw_patch
 from occgrid_parity.explain.first_difference import find_first_difference
 from occgrid_parity.explain.shorter_scenarios import Shortener

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from occgrid.world import Pose
+from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import SEEDS
-from occgrid_parity.check.whole_check import Options, check
+from occgrid_parity.check.whole_check import check
 from occgrid_parity.check.wording import LESSON_ONLY, OWN_NOISE
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise

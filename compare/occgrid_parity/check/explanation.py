@@ -1,0 +1,81 @@
+"""Explains a map that differs: where it first does, and which mistake draws it."""
+
+from __future__ import annotations
+
+from occgrid_parity.check.check_options import Options
+from occgrid_parity.check.levels import EVIDENCE, case_for
+from occgrid_parity.check.program_maps import ComparedMap, NoMap, ProgramMaps
+from occgrid_parity.explain.cause import Evidence, find_cause
+from occgrid_parity.explain.findings import Cause, FirstDifference
+from occgrid_parity.explain.first_difference import find_first_difference
+
+
+class Explanation:
+    """Looks for the first difference and the cause, in this order: the first helps with the second.
+
+    ``misread``: the program's maps have another size, because they are turned or transposed.
+    """
+
+    def __init__(
+        self, maps: ProgramMaps, options: Options, misread: bool
+    ) -> None:
+        self.maps = maps
+        self.runner = maps.runner
+        self.options = options
+        self.misread = misread
+        self.short: Evidence | None = None
+
+    def first_difference(
+        self, differing: ComparedMap, strict: bool
+    ) -> FirstDifference | None:
+        """Where a map first differs; ``strict``: what rounding explains counts, too."""
+        explained = find_first_difference(
+            self.runner,
+            differing.case,
+            differing.mode,
+            differing.observed,
+            strict,
+            self.options.save,
+        )
+        self.maps.runs += explained.runs
+        if explained.short is not None:
+            case, observed, compared, _ = explained.short
+            self.short = Evidence(
+                case, differing.mode, observed, compared.status
+            )
+        return explained.difference
+
+    def cause(self) -> Cause:
+        """The mistakes that draw the program's maps; more scenarios are mapped, to tell them apart."""
+        if self.runner.reads_scenarios and not self.options.cases:
+            for name in EVIDENCE:
+                try:
+                    case = case_for(self.runner, name)
+                    self.maps.compare(case, self.runner.plain_mode)
+                except NoMap:
+                    continue
+        return self.cause_of_known_maps()
+
+    def cause_of_known_maps(self) -> Cause:
+        """The same, from the maps that are there."""
+        return find_cause(self._evidence(), self.short)
+
+    def _evidence(self) -> list[Evidence]:
+        return [
+            Evidence(one.case, one.mode, one.observed, one.compared.status)
+            for one in self.maps.compared.values()
+        ] + self._evidence_of_other_sizes()
+
+    def _evidence_of_other_sizes(self) -> list[Evidence]:
+        """Maps of another size: they say something of a mistake, too."""
+        if not self.misread:
+            return []
+        known = [case_for(self.runner, name) for name in EVIDENCE]
+        cases = {case.digest: case for case in known}
+        return [
+            Evidence(cases[digest], mode, outcome.observed, "differs")
+            for (digest, mode), outcome in self.maps.outcomes.items()
+            if outcome.observed is not None
+            and (digest, mode) not in self.maps.compared
+            and digest in cases
+        ]

@@ -1,0 +1,115 @@
+"""The maps of the program that is checked: each is drawn once, and compared once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from occgrid_parity.check import wording
+from occgrid_parity.check.verdict import CaseResult
+from occgrid_parity.explain.closeness import Compared, compare_with_reference
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.programs.runner import Outcome, Runner
+from occgrid_parity.suite.cases import Case
+from occgrid_parity.suite.modes import Mode
+
+
+@dataclass(frozen=True)
+class ComparedMap:
+    """A map and how it compares."""
+
+    case: Case
+    mode: Mode
+    observed: Observed
+    compared: Compared
+    seconds: float
+
+    @property
+    def result(self) -> CaseResult:
+        """The record of the comparison."""
+        return wording.case_result(
+            self.case.name, self.mode.name, self.compared, self.seconds
+        )
+
+
+class NoMap(Exception):
+    """There is no map to compare: in a word or two, and at length."""
+
+    def __init__(self, word: str, message: str) -> None:
+        super().__init__(message)
+        self.word = word
+        self.message = message
+
+
+class ProgramMaps:
+    """Draws maps with a program and keeps them, so that no scenario is run twice.
+
+    ``outcomes`` are all runs, ``compared`` the maps that could be compared, ``notes`` what the runs had to say
+    beside, and ``runs`` how many there were. ``on_map`` is told of every map that is compared.
+    """
+
+    def __init__(
+        self,
+        runner: Runner,
+        on_map: Callable[[ComparedMap], None] | None = None,
+    ) -> None:
+        self.runner = runner
+        self.on_map = on_map
+        self.outcomes: dict[tuple[str, Mode], Outcome] = {}
+        self.compared: dict[tuple[str, Mode], ComparedMap] = {}
+        self.notes: list[str] = []
+        self.runs = 0
+
+    def run(self, case: Case, mode: Mode) -> Outcome:
+        """The program's map of a scenario, or what went wrong."""
+        key = (case.digest, mode)
+        if key not in self.outcomes:
+            self.runs += 1
+            self.outcomes[key] = self.runner.run(case, mode)
+            for note in self.outcomes[key].notes:
+                self.note(note)
+        return self.outcomes[key]
+
+    def note(self, text: str) -> None:
+        """Adds a note, if it is not there yet."""
+        if text not in self.notes:
+            self.notes.append(text)
+
+    def compare(self, case: Case, mode: Mode) -> ComparedMap:
+        """Runs and compares. Raises NoMap where there is no map of the right size."""
+        key = (case.digest, mode)
+        if key not in self.compared:
+            self.compared[key] = self._compare(case, mode)
+            if self.on_map is not None:
+                self.on_map(self.compared[key])
+        return self.compared[key]
+
+    def _compare(self, case: Case, mode: Mode) -> ComparedMap:
+        outcome = self.run(case, mode)
+        observed = outcome.observed
+        if observed is None:
+            raise NoMap(outcome.word, f"{case.name}: {outcome.message}")
+        expected = reference_map(case, mode).pixels.shape
+        if observed.pixels.shape != expected:
+            raise NoMap(
+                "wrong size",
+                f"{case.name}: {observed.source} is {wording.size(observed.pixels.shape)} pixels, expected "
+                f"{wording.size(expected)}",
+            )
+        compared = compare_with_reference(
+            observed, case, mode, own_poses=not case.is_file
+        )
+        return ComparedMap(case, mode, observed, compared, outcome.seconds)
+
+    def what_was_compared(self) -> str:
+        """Pixels or log-odds, in words."""
+        observed = [o.observed for o in self.outcomes.values() if o.observed]
+        if not observed:
+            return "nothing"
+        with_log_odds = [o for o in observed if o.log_odds is not None]
+        if len(with_log_odds) == len(observed):
+            return "pixels, and every bit of the log-odds"
+        if with_log_odds:
+            return f"pixels; log-odds in {len(with_log_odds)} of {len(observed)} maps"
+        return wording.ONLY_PIXELS
