@@ -13,7 +13,10 @@ def deviation(values: Sequence[float]) -> float:
 
 
 def ratio(values: Sequence[float], reference: Sequence[float]) -> float:
-    """The median over the rounds of value / reference of the same round."""
-    return median(
-        value / other for value, other in zip(values, reference, strict=False)
-    )
+    """The median of value / reference of the same round, over the rounds that both have.
+
+    A slow contestant has only the first rounds.
+    """
+    rounds = min(len(values), len(reference))
+    pairs = zip(values[:rounds], reference[:rounds], strict=True)
+    return median(value / other for value, other in pairs)

@@ -22,6 +22,7 @@ from .reported import Ran, run_and_report
 ROOT = find_root(Path(__file__).parent)
 PORTS = find_ports(ROOT)
 JOBS = 2
+REAL_LOGS = "test_real_logs.py"
 
 
 def require_all() -> bool:
@@ -34,6 +35,29 @@ def unavailable(reason: str) -> None:
     if require_all():
         pytest.fail(f"PARITY_REQUIRE_ALL: {reason}", pytrace=False)
     pytest.skip(reason)
+
+
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter,
+) -> None:
+    """Says in one line whether the tests on real laser logs ran."""
+    counts = {
+        outcome: sum(
+            getattr(report, "nodeid", "")
+            .partition("::")[0]
+            .endswith(REAL_LOGS)
+            for report in terminalreporter.stats.get(outcome, [])
+        )
+        for outcome in ("passed", "failed", "error", "skipped")
+    }
+    ran = sum(counts.values()) - counts["skipped"]
+    if ran:
+        said = ", ".join(f"{n} {word}" for word, n in counts.items() if n)
+        terminalreporter.write_line(f"real laser logs: {said}")
+    elif counts["skipped"]:
+        terminalreporter.write_line(
+            f"real laser logs: none of {counts['skipped']} tests ran; OCCGRID_DATA names the folder of the logs"
+        )
 
 
 @pytest.fixture(scope="session")

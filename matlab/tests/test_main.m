@@ -135,7 +135,7 @@ function picture()
     if exist('OCTAVE_VERSION', 'builtin')
         [missing, ~] = system('gnuplot --version');
         if missing
-            return
+            skip('gnuplot is missing: install gnuplot-nox');
         end
     end
     [folder, removes] = temporary_folder(); %#ok<ASGLU>

@@ -19,7 +19,6 @@ STYLES = {
     "timeout": "bold red",
     "skipped": "yellow",
 }
-STDERR_LINES = 5
 
 
 def matrix_table(record: RunRecord) -> Table:
