@@ -37,7 +37,7 @@ class _Trials:
         self.runs = 0
         self.known: dict[str, Trial] = {}
 
-    def judge(self, case: Case, observed: Observed) -> Trial:
+    def compare(self, case: Case, observed: Observed) -> Trial:
         compared = compare_with_reference(observed, case, self.mode)
         wanted = (
             {"identical"} if self.strict else {"identical", "halves", "edges"}
@@ -57,7 +57,7 @@ class _Trials:
                 raise SearchFailed(
                     "on a part of the scenario its map has another size"
                 )
-            self.known[case.digest] = self.judge(case, outcome.observed)
+            self.known[case.digest] = self.compare(case, outcome.observed)
         return self.known[case.digest]
 
 
@@ -86,7 +86,7 @@ def find_first_difference(
     trials = _Trials(runner, mode, strict)
     try:
         found = search(
-            case, mode, trials.judge(case, observed), trials.attempt
+            case, mode, trials.compare(case, observed), trials.attempt
         )
     except SearchFailed as failed:
         deduced = report_deduced(case, mode, observed, own_poses=False)

@@ -55,11 +55,11 @@ TONES: dict[str, Tone] = {
 
 
 def write_check_page(
-    verdict: Verdict, judged: list[ComparedMap], target: Path
+    verdict: Verdict, maps: list[ComparedMap], target: Path
 ) -> Path:
     """Write the page of a check into a folder, made where it is missing; returns its file.
 
-    ``judged`` are the maps that the check has compared.
+    ``maps`` are the maps that the check has compared.
     """
     difference = verdict.first_difference
     remarks = [f"not checked: {said}" for said in verdict.not_checked]
@@ -68,10 +68,10 @@ def write_check_page(
         remarks.insert(0, f"* {HALVES}")
     text = render(
         "check.html",
-        _record(verdict, judged),
-        [_case(verdict, one) for one in judged],
+        _record(verdict, maps),
+        [_case(verdict, one) for one in maps],
         ["reference: what the contract says, drawn by the Python port"],
-        _start(verdict, judged),
+        _start(verdict, maps),
         verdict=verdict,
         word=verdict_word(verdict),
         tone=TONES[verdict_status(verdict)],
@@ -91,12 +91,12 @@ def write_check_page(
     return page
 
 
-def _start(verdict: Verdict, judged: list[ComparedMap]) -> str:
+def _start(verdict: Verdict, maps: list[ComparedMap]) -> str:
     """What the page shows first: the cell of the first difference, if its map is here."""
     difference = verdict.first_difference
     if difference is None:
         return ""
-    for number, one in enumerate(judged):
+    for number, one in enumerate(maps):
         names = (one.case.name, one.mode.name)
         if names == (difference.scenario, difference.mode):
             cell = {"gx": difference.gx, "gy": difference.gy}
@@ -104,10 +104,10 @@ def _start(verdict: Verdict, judged: list[ComparedMap]) -> str:
     return ""
 
 
-def _record(verdict: Verdict, judged: list[ComparedMap]) -> RunRecord:
+def _record(verdict: Verdict, maps: list[ComparedMap]) -> RunRecord:
     """The check in the form of a run of two: the reference and the program."""
-    names = list(dict.fromkeys(one.case.name for one in judged))
-    modes = list(dict.fromkeys(one.mode.name for one in judged))
+    names = list(dict.fromkeys(one.case.name for one in maps))
+    modes = list(dict.fromkeys(one.mode.name for one in maps))
     return RunRecord(
         schema=SCHEMA,
         started=datetime.now(UTC).isoformat(timespec="seconds"),
@@ -121,9 +121,7 @@ def _record(verdict: Verdict, judged: list[ComparedMap]) -> RunRecord:
             PortRecord(verdict.program, verdict.command, reference=False),
         ],
         scenarios=[ScenarioRecord(name, name, None) for name in names],
-        results=[
-            result for one in judged for result in _results(verdict, one)
-        ],
+        results=[result for one in maps for result in _results(verdict, one)],
         processes=[],
     )
 
