@@ -13,8 +13,9 @@ from occgrid_parity.check.program_check import check_program
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.check.whole_check import check
 from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
+from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.line_cells import Lines
-from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Mask
+from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.observed_map import Observed

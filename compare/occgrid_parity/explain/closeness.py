@@ -17,7 +17,6 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
 from occgrid.grid import sigmoid
 from occgrid_parity.explain.edge_sides import (
@@ -27,17 +26,16 @@ from occgrid_parity.explain.edge_sides import (
     UpdateModel,
 )
 from occgrid_parity.formats.log_odds import bits
+from occgrid_parity.model.arithmetic import U
+from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.mapper_steps import Drawn, Mapper
 from occgrid_parity.model.reference import reference_map
-from occgrid_parity.model.rounding import Beams, U, beams_of
+from occgrid_parity.model.rounding import Beams, beams_of
 from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
-Array = npt.NDArray[np.float64]
-Cells = npt.NDArray[np.int64]
-Mask = npt.NDArray[np.bool_]
 Closeness = Literal["identical", "halves", "edges", "differs"]
 
 STEP_ULPS = 8

@@ -12,8 +12,9 @@ from occgrid_parity.explain.cell_drawing import Cell, draw_patch
 from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.explain.difference_search import Found, Trial
 from occgrid_parity.explain.findings import BeamCell, Endpoint, FirstDifference
+from occgrid_parity.model.array_types import Array, Mask
 from occgrid_parity.model.line_cells import contract_lines
-from occgrid_parity.model.mapper_steps import Array, Drawn, Mask
+from occgrid_parity.model.mapper_steps import Drawn
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import Beams, beams_of
 from occgrid_parity.model.worlds import World, world_of

@@ -12,14 +12,11 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from occgrid_parity.model.array_types import Cells, Mask
 from occgrid_parity.model.line_cells import contract_lines
 from occgrid_parity.model.rounding import Beams
 
-Array = npt.NDArray[np.float64]
-Cells = npt.NDArray[np.int64]
-Mask = npt.NDArray[np.bool_]
 Distance = Callable[[int, float], float]
 """distance(cell, value): how far the program's value is from it; 0 where the value is the program's."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from occgrid.world import Pose
+from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.line_cells import (
     Lines,
     lines_with,
@@ -12,7 +13,7 @@ from occgrid_parity.model.line_cells import (
     supercover_lines,
     walked_lines,
 )
-from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Mask
+from occgrid_parity.model.mapper_steps import Mapper
 
 DIRECTION = "section 4, the beam's direction alpha = theta + phi"
 MODEL = "section 4, the three cases of the inverse sensor model"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Mask
+from occgrid_parity.model.array_types import Array, Cells, Mask
+from occgrid_parity.model.mapper_steps import Mapper
 
 INDEX = "section 1, the formula for g_x and g_y"
 

@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from occgrid_parity.model.mapper_steps import Array, Cells, Mapper, Traced
+from occgrid_parity.model.array_types import Array, Cells
+from occgrid_parity.model.mapper_steps import Mapper, Traced
 
 UPDATE = "section 3 (log-odds form) and Problem 2"
 CLAMP = "section 5, clamping / saturation"

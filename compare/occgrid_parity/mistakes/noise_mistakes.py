@@ -10,7 +10,8 @@ from occgrid_parity.model.arithmetic import (
     normal_deviate,
     uniforms,
 )
-from occgrid_parity.model.mapper_steps import Array, Cells, Mapper
+from occgrid_parity.model.array_types import Array, Cells
+from occgrid_parity.model.mapper_steps import Mapper
 
 NOISE = "section 6.1 (noise is added to every simulated range); SPEC.md section 3.3"
 

@@ -12,11 +12,13 @@ import numpy.typing as npt
 
 from occgrid import portable_math
 from occgrid.noise import philox4x32
+from occgrid_parity.model.array_types import Array
 
-Array = npt.NDArray[np.float64]
 Function = Callable[[Array], Array]
 
 TWO_PI = 6.283185307179586
+U = 2.0**-52
+"""One unit in the last place of 1."""
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-Cells = npt.NDArray[np.int64]
-Mask = npt.NDArray[np.bool_]
+from occgrid_parity.model.array_types import Cells, Mask
+
 Minor = Callable[[Cells, Cells, Cells], Cells]
 """minor(k, a, b): cells gone along the shorter axis after k along the longer."""
 

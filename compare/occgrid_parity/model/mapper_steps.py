@@ -10,20 +10,15 @@ from collections.abc import Iterator
 from typing import ClassVar, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from occgrid.sensor import Scan
 from occgrid.world import Pose, Segment
 from occgrid_parity.model import arithmetic
 from occgrid_parity.model.arithmetic import Arithmetic
+from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.line_cells import Lines, contract_lines
 from occgrid_parity.model.worlds import World
 
-Array = npt.NDArray[np.float64]
-Cells = npt.NDArray[np.int64]
-Mask = npt.NDArray[np.bool_]
-
-TWO_PI = 6.283185307179586
 BATCH_CELLS = 1 << 20
 
 

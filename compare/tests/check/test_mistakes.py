@@ -13,7 +13,8 @@ from occgrid_parity.check.wording import LESSON_ONLY, OWN_NOISE
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.arithmetic import PLATFORM
-from occgrid_parity.model.mapper_steps import Array, Mapper
+from occgrid_parity.model.array_types import Array
+from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.report.mistakes_page import COLUMNS, PAGE, page, table

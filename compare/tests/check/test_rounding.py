@@ -14,8 +14,9 @@ from occgrid_parity.explain.closeness import (
     grey_levels,
 )
 from occgrid_parity.model.arithmetic import PLATFORM
+from occgrid_parity.model.array_types import Cells
 from occgrid_parity.model.line_cells import contract_lines
-from occgrid_parity.model.mapper_steps import Cells, Drawn, Mapper, Traced
+from occgrid_parity.model.mapper_steps import Drawn, Mapper, Traced
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import beams_of
 from occgrid_parity.model.worlds import world_of

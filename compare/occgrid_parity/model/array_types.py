@@ -1,0 +1,10 @@
+"""The arrays of the model: numbers, cells, and which of them."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+Cells = npt.NDArray[np.int64]
+Mask = npt.NDArray[np.bool_]
