@@ -229,7 +229,7 @@ def test_commands_of_the_exercises_work(
     for command in commands:
         name, *arguments = shlex.split(command)
         done = subprocess.run(
-            [sys.executable, "-m", name, *arguments],
+            [str(Path(sys.executable).with_name(name)), *arguments],
             cwd=tmp_path,
             env=environment,
             capture_output=True,
