@@ -603,11 +603,11 @@ def orders() -> Iterator[Case]:
     yield case("order-missing-scan", text, 7, "occgrid_max_range is missing")
     yield case("order-joint-scan", changed(l_min="9") + "FLASER\n", 8, CLAMPS)
     # each of the five joint rules before the next
-    for name, values, line, reason in (
+    for name, values, at, reason in (
         ("cells-range", {"width": "25000000", "height": "2", "resolution": "0.001", "max_range": "10000"}, 2, CELLS),
         ("range-clamps", {"resolution": "0.001", "max_range": "10000", "l_min": "9"}, 6, RANGE),
         ("clamps-prior", {"l_min": "9", "p0": "0.5"}, 8, CLAMPS),
         ("clamps-least-range", {"l_min": "9", "min_range": "10"}, 8, CLAMPS),
         ("prior-least-range", {"min_range": "10", "p0": "0.99999"}, 9, PRIOR),
     ):  # fmt: skip
-        yield case(f"order-{name}", changed(**values) + POSE, line, reason)
+        yield case(f"order-{name}", changed(**values) + POSE, at, reason)
