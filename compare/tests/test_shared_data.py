@@ -76,7 +76,7 @@ def test_every_row_of_the_contract_has_a_file(reason: str) -> None:
 
 
 def test_the_table_of_reasons_is_found() -> None:
-    assert len(reasons_of_the_contract()) == 25
+    assert len(reasons_of_the_contract()) == 24
 
 
 def test_there_are_enough_bad_files_and_they_are_small() -> None:
