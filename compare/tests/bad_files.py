@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import pytest
+
 from parity.ports import Port
 from parity.processes import Finished, run_process
 
@@ -62,8 +64,18 @@ def give(
 
 
 def check_refused(answer: Answer, file: Path, line: int, reason: str) -> None:
-    """Status 1, exactly one line on standard error, nothing else anywhere."""
+    """Fails the test without status 1 and exactly one line on standard error, or with anything else anywhere."""
     expected = f"{file}:{line}: {reason}\n".encode("latin-1")
-    assert (answer.finished.exit_status, answer.stderr) == (1, expected)
-    assert answer.stdout == b""
-    assert answer.maps == {}
+    found = (
+        answer.finished.exit_status,
+        answer.stderr,
+        answer.stdout,
+        list(answer.maps),
+    )
+    if found != (1, expected, b"", []):
+        status, stderr, stdout, maps = found
+        pytest.fail(
+            f"{file}\nexpected: status 1, {expected!r}\n"
+            f"found: status {status}, {stderr[:1000]!r}, on standard output {stdout[:100]!r}, maps {maps}",
+            pytrace=False,
+        )

@@ -89,7 +89,6 @@ def test_there_are_enough_bad_files_and_they_are_small() -> None:
 @pytest.mark.parametrize(
     ("function", "question", "answer"),
     [
-        # corner of the lesson's cell (110, 0), and a step to its left
         ("bresenham", "2 5 4 4", "2:5 3:5 4:4"),
         ("clip_ray", "-10 2 20 3 8 5", "10 17"),
         ("clip_ray", "-5 0 5 -10 8 5", "0 -1"),
