@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from occgrid import __version__
+from occgrid.fast import map_scenario_fast
 from occgrid.lesson import lesson_scenario
 from occgrid.map_writer import map_pgm, write_map
 from occgrid.mapper import map_scenario
@@ -41,7 +42,8 @@ def _map_one(file: str | None, options: argparse.Namespace) -> None:
     with (
         lesson_scenario() if file is None else read_scenario(file) as scenario
     ):
-        grid = map_scenario(scenario, options.seed)
+        mapping = map_scenario if options.plain else map_scenario_fast
+        grid = mapping(scenario, options.seed)
     if options.out is None:
         _print(map_pgm(grid))
     else:
@@ -90,6 +92,11 @@ def _options(arguments: Sequence[str] | None) -> argparse.Namespace:
         type=_seed,
         metavar="N",
         help="seed of the noise (default: 0)",
+    )
+    parser.add_argument(
+        "--plain",
+        action="store_true",
+        help="map beam by beam, as the handouts print it",
     )
     parser.add_argument(
         "--out",

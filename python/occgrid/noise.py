@@ -6,11 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from occgrid import portable_math
+from occgrid.portable_math import Array, pi
 
-Array = npt.NDArray[np.float64]
 Words = npt.NDArray[np.uint64]
-
-TWO_PI = 6.283185307179586
 
 
 # [snippet: philox]
@@ -56,7 +54,7 @@ def normal_deviate(seed: int, scan: int, beams: npt.ArrayLike) -> Array:
     u1 = (w0 + 0.5) / 4294967296.0
     u2 = (w1 + 0.5) / 4294967296.0
     radius = np.sqrt(-2.0 * portable_math.log(u1))
-    return radius * portable_math.cos(TWO_PI * u2)
+    return radius * portable_math.cos((2.0 * pi) * u2)
 
 
 # [/snippet]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -15,6 +16,7 @@ import numpy.typing as npt
 
 from occgrid import sensor
 from occgrid.grid import GridSpec, OccupancyGrid, logit
+from occgrid.portable_math import pi
 from occgrid.sensor import Scan, flaser_angles
 from occgrid.world import Pose, Segment
 
@@ -39,7 +41,7 @@ class Settings:
     l_min: float = -8.0
     l_max: float = 8.0
     no_return: sensor.NoReturn = "free"
-    fov: float = sensor.PI
+    fov: float = pi
     beams: int = 181
     noise_std: float = 0.02
 
@@ -58,9 +60,10 @@ class Settings:
 
 
 class Scenario:
-    """Settings, walls and scans, the scans read one by one as they are asked for.
+    """Settings, walls and scans: all that a map is made of.
 
-    ``scans`` yields a Pose for a simulated scan and a Scan for a recorded one. It can be gone through once.
+    ``scans`` gives a Pose for a simulated scan and a Scan for a recorded one. Going through it starts from the first
+    scan each time, so a scenario can be mapped again. Those of a file are read one by one as they are asked for.
     """
 
     def __init__(
@@ -68,13 +71,14 @@ class Scenario:
         name: str,
         settings: Settings,
         walls: list[Segment],
-        scans: Iterator[Pose | Scan],
+        scans: Iterable[Pose | Scan],
         file: BinaryIO | None = None,
     ) -> None:
         self.name = name
         self.settings = settings
         self.walls = walls
-        self.scans = scans
+        # an iterator could be gone through only once
+        self.scans = list(scans) if isinstance(scans, Iterator) else scans
         self._file = file
 
     def __enter__(self) -> Self:
@@ -174,6 +178,7 @@ class _Reader:
     def __init__(self, file: str) -> None:
         self.file = file
         self.line = 0
+        self.offset = 0  # in the file, where the next line begins
         try:
             self.stream = Path(file).open("rb")
         except OSError:
@@ -200,6 +205,7 @@ class _Reader:
             if not line:
                 return
             self.line += 1
+            self.offset += len(line)
             line = line.removesuffix(b"\n").removesuffix(b"\r").strip(b" \t")
             if not line or line.startswith(b"#"):
                 continue
@@ -210,18 +216,23 @@ class _Reader:
                 self.fail(f"'{fields[0]}' is not a keyword")
             yield fields
 
+    def go_back(self, line: int, offset: int) -> None:
+        """Go on reading after a line that was read before."""
+        try:
+            self.stream.seek(offset)
+        except OSError:  # a pipe, for instance
+            self.fail("cannot be read a second time", line=0)
+        self.line, self.offset = line, offset
+
     def read(self) -> Scenario:
         """The settings and walls, up to the first scan."""
-        lines = self.fields()
-        for keyword, *values in lines:
+        for keyword, *values in self.fields():
             if keyword in SCAN_KEYWORDS:
-                settings = self.settings()
-                scans = self.scans(keyword, values, lines)
                 return Scenario(
                     scenario_name(self.file),
-                    settings,
+                    self.settings(),
                     self.walls,
-                    scans,
+                    _Recording(self, [keyword, *values]),
                     self.stream,
                 )
             if (
@@ -239,11 +250,9 @@ class _Reader:
                 )
         self.fail("no scan")
 
-    def scans(
-        self, keyword: str, values: list[str], lines: Iterator[list[str]]
-    ) -> Iterator[Pose | Scan]:
-        """The scan at hand and all after it."""
-        while True:
+    def scans(self, lines: Iterable[list[str]]) -> Iterator[Pose | Scan]:
+        """The scans among these lines."""
+        for keyword, *values in lines:
             if keyword == "POSE":
                 values = self.expect("POSE", 3, _without_comment(values))
                 yield self.pose(values)
@@ -257,10 +266,6 @@ class _Reader:
                 and values[0].startswith("occgrid_")
             ):
                 self.fail(f"{keyword} must stand before the first scan")
-            following = next(lines, None)
-            if following is None:
-                return
-            keyword, *values = following
 
     # --- PARAM ---
 
@@ -429,6 +434,27 @@ class _Reader:
     def coordinate(self, field: str, token: str) -> float:
         """A coordinate in metres, or an angle in radians."""
         return self.real(field, token, *COORDINATE)
+
+
+class _Recording:
+    """The scans of a file, each time from the first one."""
+
+    def __init__(self, reader: _Reader, first: list[str]) -> None:
+        self._reader = reader
+        self._first = first  # the fields of the first scan's line
+        self._start = reader.line, reader.offset
+        self._turn = 0
+
+    def __iter__(self) -> Iterator[Pose | Scan]:
+        self._turn += 1
+        turn = self._turn
+        if turn > 1:
+            self._reader.go_back(*self._start)
+        lines = itertools.chain([self._first], self._reader.fields())
+        for scan in self._reader.scans(lines):
+            yield scan
+            if turn != self._turn:
+                raise RuntimeError("the scans are gone through anew elsewhere")
 
 
 def _without_comment(values: list[str]) -> list[str]:
