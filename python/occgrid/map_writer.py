@@ -13,7 +13,7 @@ from occgrid.grid import Array, OccupancyGrid, sigmoid
 
 
 # [snippet: pixel]
-def pixels(log_odds: Array) -> npt.NDArray[np.int64]:
+def pixel(log_odds: Array | float) -> npt.NDArray[np.int64]:
     """Grey values of log-odds, of any shape: 0 is occupied, 255 is free."""
     free = 1.0 - sigmoid(log_odds)
     return np.floor(free * 255.0 + 0.5).astype(np.int64)
@@ -26,7 +26,7 @@ def pixels(log_odds: Array) -> npt.NDArray[np.int64]:
 def map_pgm(grid: OccupancyGrid) -> str:
     """The map as an ASCII PGM (P2), the row with the largest y first."""
     lines = ["P2", f"{grid.spec.width} {grid.spec.height}", "255"]
-    for row in pixels(grid.log_odds)[::-1].tolist():
+    for row in pixel(grid.log_odds)[::-1].tolist():
         lines.append(" ".join(map(str, row)))
     return "\n".join(lines) + "\n"
 

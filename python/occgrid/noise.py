@@ -42,14 +42,15 @@ def philox4x32(counter: Words, key: tuple[int, int]) -> Words:
 
 
 # [snippet: normal-deviate]
-def normal_deviate(seed: int, scan: int, beams: npt.ArrayLike) -> Array:
-    """Standard normal deviates (Box and Muller 1958), one per beam.
+def normal_deviate(seed: int, scan: int, beam: npt.ArrayLike) -> Array:
+    """Standard normal deviates (Box and Muller 1958) of a scan's beams.
 
-    seed: 0 to 2**32 - 1; scan, beams: numbers from 0. Returns (n,).
+    seed: 0 to 2**32 - 1; scan, beam: their numbers, from 0; beam (n,).
+    Returns (n,).
     """
-    beam = np.asarray(beams, dtype=np.uint64)
-    zero = np.zeros_like(beam)
-    counter = np.stack([zero + np.uint64(scan), beam, zero, zero])
+    c1 = np.asarray(beam, dtype=np.uint64)
+    zero = np.zeros_like(c1)
+    counter = np.stack([zero + np.uint64(scan), c1, zero, zero])
     w0, w1, _, _ = philox4x32(counter, (seed, 0)).astype(np.float64)
     u1 = (w0 + 0.5) / 4294967296.0
     u2 = (w1 + 0.5) / 4294967296.0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import os
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -35,6 +36,7 @@ class Settings:
     origin_x: float
     origin_y: float
     max_range: float
+    min_range: float = 0.0  # recorded ranges below it are ignored
     p0: float = 0.5
     p_occ: float = 0.75
     p_free: float = 0.30
@@ -98,7 +100,7 @@ class ScenarioError(Exception):
     """A scenario that breaks a rule; its text is ``FILE:LINE: REASON``."""
 
     def __init__(self, file: str, line: int, reason: str) -> None:
-        super().__init__(f"{file}:{line}: {reason}")
+        super().__init__(f"{on_one_line(file)}:{line}: {reason}")
         self.line = line
         self.reason = reason
 
@@ -119,9 +121,15 @@ def read_scenario(path: str | Path) -> Scenario:
 
 def scenario_name(path: str | Path) -> str:
     """A scenario's name: its file name without the part from its last dot on."""
-    file_name = Path(path).name
+    separators = "/\\" if os.name == "nt" else "/"
+    file_name = re.split(f"[{separators}]", str(path).rstrip(separators))[-1]
     dot = file_name.rfind(".")
     return file_name[:dot] if dot > 0 else file_name
+
+
+def on_one_line(path: str) -> str:
+    """A path as error messages show it: control characters as ?, so that a message is one line."""
+    return re.sub("[\x00-\x1f\x7f]", "?", path)
 
 
 class Parameter(NamedTuple):
@@ -133,7 +141,8 @@ class Parameter(NamedTuple):
     high: str = ""
 
 
-COORDINATE = ("-1000000", "1000000")
+COORDINATE = ("-10000000", "10000000")
+ANGLE = ("-1000000", "1000000")
 
 PARAMETERS = {
     row.name: row
@@ -144,6 +153,7 @@ PARAMETERS = {
         Parameter("origin_x", "real", *COORDINATE),
         Parameter("origin_y", "real", *COORDINATE),
         Parameter("max_range", "real", "0.001", "10000"),
+        Parameter("min_range", "real", "0", "10000"),
         Parameter("p0", "probability"),
         Parameter("p_occ", "probability"),
         Parameter("p_free", "probability"),
@@ -179,13 +189,16 @@ class _Reader:
         self.file = file
         self.line = 0
         self.offset = 0  # in the file, where the next line begins
+        if file.endswith("/"):  # a folder; pathlib would drop the slash
+            self.fail("cannot be read")
         try:
             self.stream = Path(file).open("rb")
-        except OSError:
+        except (OSError, ValueError):  # ValueError: NUL in the name
             self.fail("cannot be read")
         self.values: dict[str, int | float | str] = {}
         self.lines: dict[str, int] = {}
         self.walls: list[Segment] = []
+        self.min_range = 0.0
 
     def close(self) -> None:
         self.stream.close()
@@ -243,11 +256,7 @@ class _Reader:
                 self.parameter(_without_comment(values))
             elif keyword == "WALL":
                 values = self.expect("WALL", 4, _without_comment(values))
-                self.walls.append(
-                    Segment(
-                        *map(self.coordinate, ("x0", "y0", "x1", "y1"), values)
-                    )
-                )
+                self.walls.append(self.wall(values))
         self.fail("no scan")
 
     def scans(self, lines: Iterable[list[str]]) -> Iterator[Pose | Scan]:
@@ -320,11 +329,26 @@ class _Reader:
                 "logit(occgrid_p0) is not from occgrid_l_min to occgrid_l_max"
             )
             self.fail(reason, self.latest("p0", "l_min", "l_max"))
+        if not settings.min_range < settings.max_range:
+            self.fail(
+                "occgrid_min_range is not below occgrid_max_range",
+                self.latest("min_range", "max_range"),
+            )
+        self.min_range = settings.min_range
         return settings
 
     def latest(self, *names: str) -> int:
         """The latest of the lines of these parameters."""
         return max(self.lines.get(name, 0) for name in names)
+
+    # --- WALL ---
+
+    def wall(self, values: list[str]) -> Segment:
+        """x0, y0, x1 and y1."""
+        fields = zip(("x0", "y0", "x1", "y1"), values, strict=True)
+        return Segment(
+            *(self.real(name, token, *COORDINATE) for name, token in fields)
+        )
 
     # --- scans ---
 
@@ -355,8 +379,8 @@ class _Reader:
             self.fail(
                 f"ROBOTLASER1 with {n} beams and {m} remissions takes {n + m + 23} values, found {found}"
             )
-        start = self.coordinate("start", values[1])
-        step = self.coordinate("step", values[3])
+        start = self.real("start", values[1], *ANGLE)
+        step = self.real("step", values[3], *ANGLE)
         ranges = self.ranges(values[8 : n + 8])
         pose = self.pose(values[n + m + 9 : n + m + 12])
         return Scan(
@@ -365,10 +389,12 @@ class _Reader:
 
     def pose(self, values: list[str]) -> Pose:
         """x, y and theta."""
-        return Pose(*map(self.coordinate, ("x", "y", "theta"), values))
+        x = self.real("x", values[0], *COORDINATE)
+        y = self.real("y", values[1], *COORDINATE)
+        return Pose(x, y, self.real("theta", values[2], *ANGLE))
 
     def ranges(self, tokens: list[str]) -> npt.NDArray[np.float64]:
-        """Ranges in metres, (n,), NaN and infinity among them."""
+        """Ranges in metres, (n,), NaN and infinity among them; those below min_range are NaN, which is ignored."""
         try:
             # NumPy reads text as float() does, which takes more than our numbers where other letters stand
             if "".join(tokens).translate(_DECIMAL_CHARACTERS):
@@ -380,6 +406,7 @@ class _Reader:
             values = np.array(
                 [self.range(i, token) for i, token in enumerate(tokens)]
             )
+        values[values < self.min_range] = np.nan
         return values
 
     def range(self, beam: int, token: str) -> float:
@@ -430,10 +457,6 @@ class _Reader:
         if not float(low) <= value <= float(high):
             self.fail(f"{field} '{token}' is not from {low} to {high}")
         return int(value)
-
-    def coordinate(self, field: str, token: str) -> float:
-        """A coordinate in metres, or an angle in radians."""
-        return self.real(field, token, *COORDINATE)
 
 
 class _Recording:
