@@ -170,17 +170,19 @@ def random_scans(
     size = spec.resolution * np.array([spec.width, spec.height])
     for number in range(scans):
         n = int(rng.integers(1, 60))
+        angles: Array
+        ranges: Array
         if number % 3 == 0:  # along the axes, from edge to edge
-            place = low + rng.integers(-3, 30, 2) * spec.resolution
+            x, y = (low + rng.integers(-3, 30, 2) * spec.resolution).tolist()
             theta = 0.0
-            angles = rng.integers(-3, 4, n) * (math.pi / 4)
-            ranges = rng.integers(0, 25, n) * spec.resolution
+            angles = rng.integers(-3, 4, n).astype(float) * (math.pi / 4)
+            ranges = rng.integers(0, 25, n).astype(float) * spec.resolution
         else:
-            place = low + rng.uniform(-0.7, 1.7, 2) * size
+            x, y = (low + rng.uniform(-0.7, 1.7, 2) * size).tolist()
             theta = rng.uniform(-9.0, 9.0)
             angles = rng.uniform(-2.0, 2.0, n)
             ranges = ranges_at_the_limits(rng, n)
-        made.append(Scan(Pose(*place.tolist(), theta), angles, ranges))
+        made.append(Scan(Pose(x, y, theta), angles, ranges))
     return made
 
 
