@@ -9,12 +9,9 @@ import sys
 
 from driver import Array, answer_requests, read_work
 
+from occgrid.fast import update_grid_from_scans
 from occgrid.grid import GridSpec, OccupancyGrid
-from occgrid.sensor import (
-    Scan,
-    update_grid_from_scan,
-    update_grid_from_scans,
-)
+from occgrid.sensor import Scan, update_grid_from_scan
 from occgrid.world import Pose
 
 

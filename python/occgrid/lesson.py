@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from occgrid import portable_math
+from occgrid.portable_math import pi
 from occgrid.scenario import Scenario, Settings
-from occgrid.sensor import PI
 from occgrid.world import (
     Pose,
     Segment,
@@ -30,7 +30,7 @@ def lesson_settings() -> Settings:
         l_min=-8.0,
         l_max=8.0,
         no_return="free",
-        fov=PI,
+        fov=pi,
         beams=181,
         noise_std=0.02,
     )
@@ -56,10 +56,10 @@ def lesson_poses() -> list[Pose]:
     """120 poses on an ellipse, the heading along it."""
     poses = []
     for t in range(120):
-        ang = (2.0 * PI) * (t / 120.0)
+        ang = (2.0 * pi) * (t / 120.0)
         x = -6.0 + 6.0 * float(portable_math.cos(ang))
         y = 0.0 + 4.0 * float(portable_math.sin(ang))
-        poses.append(Pose(x, y, ang + PI / 2.0))
+        poses.append(Pose(x, y, ang + pi / 2.0))
     return poses
 
 
@@ -69,5 +69,5 @@ def lesson_poses() -> list[Pose]:
 def lesson_scenario() -> Scenario:
     """The lesson as a scenario, named ``lesson``."""
     return Scenario(
-        "lesson", lesson_settings(), lesson_world(), iter(lesson_poses())
+        "lesson", lesson_settings(), lesson_world(), lesson_poses()
     )

@@ -6,11 +6,9 @@ import numpy as np
 import numpy.typing as npt
 
 from occgrid import portable_math
+from occgrid.portable_math import Array, pi
 
-Array = npt.NDArray[np.float64]
 Words = npt.NDArray[np.uint64]
-
-TWO_PI = 6.283185307179586
 
 
 # [snippet: philox]
@@ -44,19 +42,20 @@ def philox4x32(counter: Words, key: tuple[int, int]) -> Words:
 
 
 # [snippet: normal-deviate]
-def normal_deviate(seed: int, scan: int, beams: npt.ArrayLike) -> Array:
-    """Standard normal deviates (Box and Muller 1958), one per beam.
+def normal_deviate(seed: int, scan: int, beam: npt.ArrayLike) -> Array:
+    """Standard normal deviates (Box and Muller 1958) of a scan's beams.
 
-    seed: 0 to 2**32 - 1; scan, beams: numbers from 0. Returns (n,).
+    seed: 0 to 2**32 - 1; scan, beam: their numbers, from 0; beam (n,).
+    Returns (n,).
     """
-    beam = np.asarray(beams, dtype=np.uint64)
-    zero = np.zeros_like(beam)
-    counter = np.stack([zero + np.uint64(scan), beam, zero, zero])
+    c1 = np.asarray(beam, dtype=np.uint64)
+    zero = np.zeros_like(c1)
+    counter = np.stack([zero + np.uint64(scan), c1, zero, zero])
     w0, w1, _, _ = philox4x32(counter, (seed, 0)).astype(np.float64)
     u1 = (w0 + 0.5) / 4294967296.0
     u2 = (w1 + 0.5) / 4294967296.0
     radius = np.sqrt(-2.0 * portable_math.log(u1))
-    return radius * portable_math.cos(TWO_PI * u2)
+    return radius * portable_math.cos((2.0 * pi) * u2)
 
 
 # [/snippet]

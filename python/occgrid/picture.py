@@ -1,4 +1,7 @@
-"""The lesson's picture: P(occupied) in colour, a colour bar, axes in metres (lesson section 6.1)."""
+"""The lesson's picture: P(occupied) in colour, a colour bar, axes in metres (lesson section 6.1).
+
+It needs matplotlib, which the package's extra ``plot`` brings.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,12 @@ from matplotlib.figure import Figure
 from occgrid.grid import OccupancyGrid
 
 
-def draw_map(grid: OccupancyGrid, file: Path) -> None:
+def file_kinds() -> list[str]:
+    """The endings of file names, without a dot, that draw_map knows."""
+    return sorted(Figure().canvas.get_supported_filetypes())
+
+
+def draw_map(grid: OccupancyGrid, file: str | Path) -> None:
     """Draw the map into a file; its ending (.png, .pdf, .svg) says which kind.
 
     Raises OSError where it cannot be written and ValueError for an ending that matplotlib does not know.

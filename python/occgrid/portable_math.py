@@ -4,6 +4,7 @@ The algorithms are those of fdlibm 5.3 (Sun Microsystems, 1993-1995), which Java
 SPEC.md section 9 writes them down. NumPy's own functions may take vector instructions with other last bits.
 
 All four functions take a float or an array of any shape, accept every double, and return an array of that shape.
+``pi`` is the double nearest to the number.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 Words = npt.NDArray[np.int64]
 Mask = npt.NDArray[np.bool_]
+
+pi = 3.141592653589793
 
 
 def _doubles(bits: str) -> list[float]:
@@ -79,7 +82,7 @@ def _is_reduced(x: Array) -> Mask:
 
 
 def _reduce_huge(x: float) -> tuple[int, float, float]:
-    """n, y0, y1 with x = n*pi/2 + y0 + y1, for |x| above 2^19*pi/2 (Payne and Hanek's method)."""
+    """n, y0, y1 with x = n*pi/2 + y0 + y1, for |x| above 2^20*pi/2 (Payne and Hanek's method)."""
     bits = int(np.float64(abs(x)).view(np.uint64))
     e0 = (bits >> 52) - 1046
     mantissa = bits & ((1 << 52) - 1) | 1 << 52

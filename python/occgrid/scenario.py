@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -15,6 +17,7 @@ import numpy.typing as npt
 
 from occgrid import sensor
 from occgrid.grid import GridSpec, OccupancyGrid, logit
+from occgrid.portable_math import pi
 from occgrid.sensor import Scan, flaser_angles
 from occgrid.world import Pose, Segment
 
@@ -33,13 +36,14 @@ class Settings:
     origin_x: float
     origin_y: float
     max_range: float
+    min_range: float = 0.0  # recorded ranges below it are ignored
     p0: float = 0.5
     p_occ: float = 0.75
     p_free: float = 0.30
     l_min: float = -8.0
     l_max: float = 8.0
     no_return: sensor.NoReturn = "free"
-    fov: float = sensor.PI
+    fov: float = pi
     beams: int = 181
     noise_std: float = 0.02
 
@@ -58,9 +62,10 @@ class Settings:
 
 
 class Scenario:
-    """Settings, walls and scans, the scans read one by one as they are asked for.
+    """Settings, walls and scans: all that a map is made of.
 
-    ``scans`` yields a Pose for a simulated scan and a Scan for a recorded one. It can be gone through once.
+    ``scans`` gives a Pose for a simulated scan and a Scan for a recorded one. Going through it starts from the first
+    scan each time, so a scenario can be mapped again. Those of a file are read one by one as they are asked for.
     """
 
     def __init__(
@@ -68,13 +73,14 @@ class Scenario:
         name: str,
         settings: Settings,
         walls: list[Segment],
-        scans: Iterator[Pose | Scan],
+        scans: Iterable[Pose | Scan],
         file: BinaryIO | None = None,
     ) -> None:
         self.name = name
         self.settings = settings
         self.walls = walls
-        self.scans = scans
+        # an iterator could be gone through only once
+        self.scans = list(scans) if isinstance(scans, Iterator) else scans
         self._file = file
 
     def __enter__(self) -> Self:
@@ -94,7 +100,7 @@ class ScenarioError(Exception):
     """A scenario that breaks a rule; its text is ``FILE:LINE: REASON``."""
 
     def __init__(self, file: str, line: int, reason: str) -> None:
-        super().__init__(f"{file}:{line}: {reason}")
+        super().__init__(f"{on_one_line(file)}:{line}: {reason}")
         self.line = line
         self.reason = reason
 
@@ -115,9 +121,15 @@ def read_scenario(path: str | Path) -> Scenario:
 
 def scenario_name(path: str | Path) -> str:
     """A scenario's name: its file name without the part from its last dot on."""
-    file_name = Path(path).name
+    separators = "/\\" if os.name == "nt" else "/"
+    file_name = re.split(f"[{separators}]", str(path).rstrip(separators))[-1]
     dot = file_name.rfind(".")
     return file_name[:dot] if dot > 0 else file_name
+
+
+def on_one_line(path: str) -> str:
+    """A path as error messages show it: control characters as ?, so that a message is one line."""
+    return re.sub("[\x00-\x1f\x7f]", "?", path)
 
 
 class Parameter(NamedTuple):
@@ -129,7 +141,8 @@ class Parameter(NamedTuple):
     high: str = ""
 
 
-COORDINATE = ("-1000000", "1000000")
+COORDINATE = ("-10000000", "10000000")
+ANGLE = ("-1000000", "1000000")
 
 PARAMETERS = {
     row.name: row
@@ -140,6 +153,7 @@ PARAMETERS = {
         Parameter("origin_x", "real", *COORDINATE),
         Parameter("origin_y", "real", *COORDINATE),
         Parameter("max_range", "real", "0.001", "10000"),
+        Parameter("min_range", "real", "0", "10000"),
         Parameter("p0", "probability"),
         Parameter("p_occ", "probability"),
         Parameter("p_free", "probability"),
@@ -174,13 +188,17 @@ class ScenarioReader:
     def __init__(self, file: str) -> None:
         self.file = file
         self.line = 0
+        self.offset = 0  # in the file, where the next line begins
+        if file.endswith("/"):  # a folder; pathlib would drop the slash
+            self.fail("cannot be read")
         try:
             self.stream = Path(file).open("rb")
-        except OSError:
+        except (OSError, ValueError):  # ValueError: NUL in the name
             self.fail("cannot be read")
         self.values: dict[str, int | float | str] = {}
         self.lines: dict[str, int] = {}
         self.walls: list[Segment] = []
+        self.min_range = 0.0
 
     def close(self) -> None:
         """Closes the file."""
@@ -202,6 +220,7 @@ class ScenarioReader:
             if not line:
                 return
             self.line += 1
+            self.offset += len(line)
             line = line.removesuffix(b"\n").removesuffix(b"\r").strip(b" \t")
             if not line or line.startswith(b"#"):
                 continue
@@ -212,18 +231,23 @@ class ScenarioReader:
                 self.fail(f"'{fields[0]}' is not a keyword")
             yield fields
 
+    def go_back(self, line: int, offset: int) -> None:
+        """Go on reading after a line that was read before."""
+        try:
+            self.stream.seek(offset)
+        except OSError:  # a pipe, for instance
+            self.fail("cannot be read a second time", line=0)
+        self.line, self.offset = line, offset
+
     def read(self) -> Scenario:
         """The settings and walls, up to the first scan."""
-        lines = self.fields()
-        for keyword, *values in lines:
+        for keyword, *values in self.fields():
             if keyword in SCAN_KEYWORDS:
-                settings = self.settings()
-                scans = self.scans(keyword, values, lines)
                 return Scenario(
                     scenario_name(self.file),
-                    settings,
+                    self.settings(),
                     self.walls,
-                    scans,
+                    _Recording(self, [keyword, *values]),
                     self.stream,
                 )
             if (
@@ -234,18 +258,12 @@ class ScenarioReader:
                 self.parameter(_without_comment(values))
             elif keyword == "WALL":
                 values = self.expect("WALL", 4, _without_comment(values))
-                self.walls.append(
-                    Segment(
-                        *map(self.coordinate, ("x0", "y0", "x1", "y1"), values)
-                    )
-                )
+                self.walls.append(self.wall(values))
         self.fail("no scan")
 
-    def scans(
-        self, keyword: str, values: list[str], lines: Iterator[list[str]]
-    ) -> Iterator[Pose | Scan]:
-        """The scan at hand and all after it."""
-        while True:
+    def scans(self, lines: Iterable[list[str]]) -> Iterator[Pose | Scan]:
+        """The scans among these lines."""
+        for keyword, *values in lines:
             if keyword == "POSE":
                 values = self.expect("POSE", 3, _without_comment(values))
                 yield self.pose(values)
@@ -259,10 +277,6 @@ class ScenarioReader:
                 and values[0].startswith("occgrid_")
             ):
                 self.fail(f"{keyword} must stand before the first scan")
-            following = next(lines, None)
-            if following is None:
-                return
-            keyword, *values = following
 
     # --- PARAM ---
 
@@ -317,11 +331,26 @@ class ScenarioReader:
                 "logit(occgrid_p0) is not from occgrid_l_min to occgrid_l_max"
             )
             self.fail(reason, self.latest("p0", "l_min", "l_max"))
+        if not settings.min_range < settings.max_range:
+            self.fail(
+                "occgrid_min_range is not below occgrid_max_range",
+                self.latest("min_range", "max_range"),
+            )
+        self.min_range = settings.min_range
         return settings
 
     def latest(self, *names: str) -> int:
         """The latest of the lines of these parameters."""
         return max(self.lines.get(name, 0) for name in names)
+
+    # --- WALL ---
+
+    def wall(self, values: list[str]) -> Segment:
+        """x0, y0, x1 and y1."""
+        fields = zip(("x0", "y0", "x1", "y1"), values, strict=True)
+        return Segment(
+            *(self.real(name, token, *COORDINATE) for name, token in fields)
+        )
 
     # --- scans ---
 
@@ -352,8 +381,8 @@ class ScenarioReader:
             self.fail(
                 f"ROBOTLASER1 with {n} beams and {m} remissions takes {n + m + 23} values, found {found}"
             )
-        start = self.coordinate("start", values[1])
-        step = self.coordinate("step", values[3])
+        start = self.real("start", values[1], *ANGLE)
+        step = self.real("step", values[3], *ANGLE)
         ranges = self.ranges(values[8 : n + 8])
         pose = self.pose(values[n + m + 9 : n + m + 12])
         return Scan(
@@ -362,10 +391,12 @@ class ScenarioReader:
 
     def pose(self, values: list[str]) -> Pose:
         """x, y and theta."""
-        return Pose(*map(self.coordinate, ("x", "y", "theta"), values))
+        x = self.real("x", values[0], *COORDINATE)
+        y = self.real("y", values[1], *COORDINATE)
+        return Pose(x, y, self.real("theta", values[2], *ANGLE))
 
     def ranges(self, tokens: list[str]) -> npt.NDArray[np.float64]:
-        """Ranges in metres, (n,), NaN and infinity among them."""
+        """Ranges in metres, (n,), NaN and infinity among them; those below min_range are NaN, which is ignored."""
         try:
             # NumPy reads text as float() does, which takes more than our numbers where other letters stand
             if "".join(tokens).translate(_DECIMAL_CHARACTERS):
@@ -377,6 +408,7 @@ class ScenarioReader:
             values = np.array(
                 [self.range(i, token) for i, token in enumerate(tokens)]
             )
+        values[values < self.min_range] = np.nan
         return values
 
     def range(self, beam: int, token: str) -> float:
@@ -428,9 +460,26 @@ class ScenarioReader:
             self.fail(f"{field} '{token}' is not from {low} to {high}")
         return int(value)
 
-    def coordinate(self, field: str, token: str) -> float:
-        """A coordinate in metres, or an angle in radians."""
-        return self.real(field, token, *COORDINATE)
+
+class _Recording:
+    """The scans of a file, each time from the first one."""
+
+    def __init__(self, reader: _Reader, first: list[str]) -> None:
+        self._reader = reader
+        self._first = first  # the fields of the first scan's line
+        self._start = reader.line, reader.offset
+        self._turn = 0
+
+    def __iter__(self) -> Iterator[Pose | Scan]:
+        self._turn += 1
+        turn = self._turn
+        if turn > 1:
+            self._reader.go_back(*self._start)
+        lines = itertools.chain([self._first], self._reader.fields())
+        for scan in self._reader.scans(lines):
+            yield scan
+            if turn != self._turn:
+                raise RuntimeError("the scans are gone through anew elsewhere")
 
 
 def _without_comment(values: list[str]) -> list[str]:

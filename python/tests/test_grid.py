@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from occgrid.grid import SPREAD, GridSpec, OccupancyGrid, logit, sigmoid
+from occgrid.grid import GridSpec, OccupancyGrid, logit, sigmoid
 
 
 def small_grid(**model: float) -> OccupancyGrid:
@@ -100,32 +100,30 @@ def test_update_cell_skips_what_is_outside() -> None:
     assert (grid.log_odds == grid.l0).all()
 
 
-@pytest.mark.parametrize("seed", range(5))
-@pytest.mark.parametrize("p_free", [0.21, 0.4, 0.7])
-@pytest.mark.parametrize("bounds", [(-2.3, 3.1), (-30.0, 30.0)])
-@pytest.mark.parametrize("spread", [0, SPREAD])
-def test_update_cells_is_update_cell_in_order(
-    seed: int,
-    p_free: float,
-    bounds: tuple[float, float],
-    spread: int,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """With the table of cells and without; some cells are only passed, up to a bound and on, or not so far."""
-    monkeypatch.setattr("occgrid.grid.SPREAD", spread)
-    rng = np.random.default_rng(seed)
-    model = {"p0": 0.4, "p_free": p_free}
-    model |= dict(zip(("l_min", "l_max"), bounds, strict=True))
-    plain, quick = small_grid(**model), small_grid(**model)
-    for _ in range(4):
-        n = int(rng.integers(0, 400))
-        cells = rng.integers(0, 24, n) // rng.integers(1, 4)
-        occupied = (rng.random(n) < 0.3) & (cells % 3 == 0)
-        for cell, hit in zip(cells.tolist(), occupied.tolist(), strict=True):
-            evidence = plain.l_occ if hit else plain.l_free
-            plain.update_cell(cell % 6, cell // 6, evidence)
-        quick.update_cells(cells, occupied)
-        assert quick.log_odds.tobytes() == plain.log_odds.tobytes()
+def test_update_cells_is_update_cell_for_each() -> None:
+    """Inside the grid and outside, at both bounds and between them."""
+    rng = np.random.default_rng(2)
+    model = {"p0": 0.4, "l_min": -1.5, "l_max": 2.0}
+    together, one_by_one = small_grid(**model), small_grid(**model)
+    seen: set[float] = set()
+    for _ in range(60):
+        n = int(rng.integers(0, 40))
+        cells = rng.choice(np.arange(-20, 100), n, replace=False)
+        gx, gy = cells % 10 - 2, cells // 10
+        l_update = (together.l_occ, together.l_free)[int(rng.integers(5)) > 0]
+        together.update_cells(gx, gy, l_update)
+        for x, y in zip(gx.tolist(), gy.tolist(), strict=True):
+            one_by_one.update_cell(x, y, l_update)
+        assert together.log_odds.tobytes() == one_by_one.log_odds.tobytes()
+        seen |= set(together.log_odds.ravel().tolist())
+    assert {-1.5, 2.0} < seen
+
+
+def test_a_grid_owns_its_cells() -> None:
+    one, other = small_grid(), small_grid()
+    one.update_cell(2, 1, one.l_occ)
+    assert other.log_odds[1, 2] == other.l0
+    assert (one.log_odds - other.log_odds)[1, 2] == one.l_occ - one.l0
 
 
 def test_logit_and_sigmoid() -> None:

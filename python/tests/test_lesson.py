@@ -8,7 +8,6 @@ from pathlib import Path
 from types import ModuleType
 
 import numpy as np
-import plain
 import pytest
 
 from occgrid.lesson import (
@@ -74,11 +73,10 @@ def edge_distance(scenario: Scenario, seed: int | None) -> float:
     nearest = math.inf
     for scan in simulated_scans(scenario, seed):
         z, _, _ = read_ranges(scan.ranges, scenario.settings.max_range, "free")
-        x, y, theta = (np.full(z.size, value) for value in scan.pose)
-        ex, ey = beam_endpoints(x, y, theta, scan.angles, z)
+        ex, ey = beam_endpoints(scan.pose, scan.angles, z)
         for points, origin in (
-            (np.append(ex, x[0]), spec.origin_x),
-            (np.append(ey, y[0]), spec.origin_y),
+            (np.append(ex, scan.pose.x), spec.origin_x),
+            (np.append(ey, scan.pose.y), spec.origin_y),
         ):
             cells = (points - origin) / spec.resolution
             off = np.abs(cells - np.round(cells)).min() * spec.resolution
@@ -92,48 +90,3 @@ def test_only_the_offset_lesson_keeps_off_the_edges(seed: int | None) -> None:
         assert edge_distance(scenario, seed) > 1e-6
     if seed is None:
         assert edge_distance(lesson_scenario(), seed) < 1e-12
-
-
-@pytest.mark.parametrize("seed", [None, 0])
-@pytest.mark.parametrize(
-    "name", [file.stem for file in sorted(SCENARIOS.glob("*.log"))]
-)
-def test_every_scenario_against_the_plain_loop(
-    name: str, seed: int | None
-) -> None:
-    """The whole mapper; of long scenarios the first scans."""
-    with read_scenario(SCENARIOS / f"{name}.log") as scenario:
-        settings = scenario.settings
-        looped = settings.new_grid()
-        scans = []
-        for scan in simulated_scans(scenario, seed):
-            scans.append(scan)
-            plain.update_grid_from_scan(
-                looped,
-                scan.pose,
-                scan.angles.tolist(),
-                scan.ranges.tolist(),
-                settings.max_range,
-                settings.no_return,
-            )
-            if len(scans) == 20:
-                break
-    recorded = Scenario(name, settings, [], iter(scans))
-    mapped = map_scenario(recorded, seed)
-    assert mapped.log_odds.tobytes() == looped.log_odds.tobytes()
-    assert (mapped.log_odds != mapped.l0).any()
-
-
-def test_after_scan_sees_every_scan() -> None:
-    seen: list[tuple[int, int]] = []
-    grid = map_scenario(
-        lesson_scenario(),
-        0,
-        lambda number, grid: seen.append(
-            (number, int(np.count_nonzero(grid.log_odds)))
-        ),
-    )
-    assert [number for number, _ in seen] == list(range(120))
-    assert seen[0][1] < seen[60][1] < seen[119][1]
-    whole = map_scenario(lesson_scenario(), 0)
-    assert grid.log_odds.tobytes() == whole.log_odds.tobytes()

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+import os
+import threading
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from occgrid.mapper import map_scenario, simulated_scans
 from occgrid.scenario import (
     Scenario,
     ScenarioError,
@@ -60,7 +63,7 @@ def test_settings_and_their_defaults(tmp_path: Path) -> None:
 
 def test_all_settings(tmp_path: Path) -> None:
     more = {
-        "p0": "0.4", "p_occ": "0.9", "p_free": "0.1", "l_min": "-3", "l_max": "4.5",
+        "min_range": "0.2", "p0": "0.4", "p_occ": "0.9", "p_free": "0.1", "l_min": "-3", "l_max": "4.5",
         "no_return": "ignore", "fov": "1.5", "beams": "7", "noise_std": "0",
     }  # fmt: skip
     params = [f"PARAM occgrid_{name} {value}" for name, value in more.items()]
@@ -72,6 +75,7 @@ def test_all_settings(tmp_path: Path) -> None:
         -5.0,
         -2.5,
         8.0,
+        0.2,
         0.4,
         0.9,
         0.1,
@@ -218,7 +222,7 @@ def test_what_is_not_a_number(tmp_path: Path, token: str) -> None:
         ),
         (
             ["PARAM occgrid_origin_x nan"],
-            "1: occgrid_origin_x 'nan' is not from -1000000 to 1000000",
+            "1: occgrid_origin_x 'nan' is not from -10000000 to 10000000",
         ),
         (
             ["PARAM occgrid_fov 6.2831853071795869"],
@@ -228,7 +232,7 @@ def test_what_is_not_a_number(tmp_path: Path, token: str) -> None:
         (["PARAM occgrid_p0 0"], "1: occgrid_p0 '0' is not between 0 and 1"),
         (["PARAM occgrid_p0 nan"], "1: occgrid_p0 'nan' is not between 0 and 1"),
         (["WALL 1 2 x 4"], "1: x1 'x' is not a number"),
-        (["WALL 1 2 3 inf"], "1: y1 'inf' is not from -1000000 to 1000000"),
+        (["WALL 1 2 3 inf"], "1: y1 'inf' is not from -10000000 to 10000000"),
         (
             [*GRID, "POSE 0 0 1000001"],
             "7: theta '1000001' is not from -1000000 to 1000000",
@@ -298,6 +302,103 @@ def test_errors(tmp_path: Path, lines: list[str], expected: str) -> None:
     )
 
 
+BAD = Path(__file__).parents[2] / "scenarios" / "bad"
+
+
+def test_the_bad_scenarios(monkeypatch: pytest.MonkeyPatch) -> None:
+    """scenarios/bad: every file against the line that stands in expected.txt."""
+    monkeypatch.chdir(BAD)
+    files = sorted(file.name for file in BAD.glob("*.log"))
+    assert len(files) > 300
+    found = [f"{name}:{failure(Path(name))}" for name in files]
+    assert found == (BAD / "expected.txt").read_text().splitlines()
+
+
+def test_a_range_below_the_least_is_ignored(tmp_path: Path) -> None:
+    """A recorded one, that is; at the least range it counts."""
+    lines = f"FLASER 5 0.5 0 nan 0.4999 inf {TAIL9}", POSE, "WALL 0.2 -9 0.2 9"
+    file = write(
+        tmp_path, *GRID, "PARAM occgrid_min_range 0.5", lines[2], *lines[:2]
+    )
+    with read_scenario(file) as scenario:
+        recorded, simulated = simulated_scans(scenario, None)
+    assert str(recorded.ranges.tolist()) == "[0.5, nan, nan, nan, inf]"
+    assert simulated.ranges.min() == 0.2
+    file = write(tmp_path, *GRID, lines[0])
+    (scan,) = read_all(file)[1]
+    assert isinstance(scan, Scan)
+    assert str(scan.ranges.tolist()) == "[0.5, 0.0, nan, 0.4999, inf]"
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        (["PARAM occgrid_min_range -1"], "1: occgrid_min_range '-1' is not from 0 to 10000"),
+        (
+            ["PARAM occgrid_min_range 8", *GRID, POSE],
+            "7: occgrid_min_range is not below occgrid_max_range",
+        ),
+        (
+            [*GRID, "PARAM occgrid_min_range 8.5", POSE],
+            "7: occgrid_min_range is not below occgrid_max_range",
+        ),
+    ],
+)  # fmt: skip
+def test_errors_of_the_least_range(
+    tmp_path: Path, lines: list[str], expected: str
+) -> None:
+    assert failure(write(tmp_path, *lines)) == expected
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_a_scenario_can_be_mapped_again(tmp_path: Path, end: str) -> None:
+    """Noise-free, then with a seed, then noise-free: the scans begin anew each time, and so do the lines' numbers."""
+    lines = "WALL 3 -2 3 2", "#", POSE, "ODOM 1", f"FLASER 2 1 2 {TAIL9}", POSE
+    file = write(tmp_path, *GRID, *lines, end=end)
+    with read_scenario(file) as scenario:
+        first = map_scenario(scenario, None)
+        noisy = map_scenario(scenario, 7)
+        again = map_scenario(scenario, None)
+        assert len(list(scenario.scans)) == 3
+    assert again.log_odds.tobytes() == first.log_odds.tobytes()
+    assert noisy.log_odds.tobytes() != first.log_odds.tobytes()
+    bad = write(tmp_path, *GRID, *lines, "POSE 1 x 2", end=end)
+    with read_scenario(bad) as scenario:
+        for _ in range(2):
+            with pytest.raises(ScenarioError, match=":13: y 'x' is not"):
+                map_scenario(scenario, None)
+
+
+def test_two_passes_at_once_are_an_error(tmp_path: Path) -> None:
+    with read_scenario(write(tmp_path, *GRID, POSE, POSE, POSE)) as scenario:
+        first = iter(scenario.scans)
+        next(first)
+        assert len(list(scenario.scans)) == 3
+        with pytest.raises(RuntimeError, match="anew"):
+            next(first)
+
+
+def test_scans_of_an_iterator_are_kept(tmp_path: Path) -> None:
+    scenario, scans = read_all(write(tmp_path, *GRID, POSE, POSE))
+    made = Scenario("made", scenario.settings, [], iter(scans))
+    assert list(made.scans) == list(made.scans) == scans
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no named pipes")
+def test_a_pipe_can_be_mapped_once(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.log"
+    os.mkfifo(pipe)
+    text = "\n".join([*GRID, POSE, POSE])
+    writer = threading.Thread(target=lambda: pipe.write_text(text))
+    writer.start()
+    with read_scenario(pipe) as scenario:
+        writer.join()
+        assert len(list(scenario.scans)) == 2
+        with pytest.raises(ScenarioError) as caught:
+            list(scenario.scans)
+    assert str(caught.value) == f"{pipe}:0: cannot be read a second time"
+
+
 def _empty(folder: Path) -> Path:
     file = folder / "empty.log"
     file.touch()
@@ -307,6 +408,35 @@ def _empty(folder: Path) -> Path:
 def test_what_cannot_be_read(tmp_path: Path) -> None:
     assert failure(tmp_path / "missing.log") == "0: cannot be read"
     assert failure(tmp_path) == "0: cannot be read"
+    file = write(tmp_path, *GRID, POSE)
+    assert not failure_or_none(str(file))
+    for name in (f"{file}/", f"{file}\0", ""):
+        text = str(failure_or_none(name))
+        assert text == f"{name.replace(chr(0), '?')}:0: cannot be read"
+
+
+def failure_or_none(name: str) -> ScenarioError | None:
+    try:
+        with read_scenario(name) as scenario:
+            list(scenario.scans)
+    except ScenarioError as error:
+        return error
+    return None
+
+
+def test_an_error_is_one_line(tmp_path: Path) -> None:
+    error = failure_or_none(f"{tmp_path}/a\nb\x7f\x1f\u00fc.log")
+    assert str(error) == f"{tmp_path}/a?b??\u00fc.log:0: cannot be read"
+
+
+@pytest.mark.skipif(
+    not Path("/proc/self/mem").exists(), reason="a file of Linux"
+)
+def test_reading_that_fails_later() -> None:
+    """It opens, and the first read fails."""
+    assert str(failure_or_none("/proc/self/mem")) == (
+        "/proc/self/mem:0: cannot be read"
+    )
 
 
 @pytest.mark.parametrize(
@@ -316,6 +446,11 @@ def test_what_cannot_be_read(tmp_path: Path) -> None:
         ("a", "a"),
         (".log", ".log"),
         ("a.", "a"),
+        ("x/a.log//", "a"),
+        ("x/.", "."),
+        ("..", "."),
+        ("", ""),
+        ("a b\n.log", "a b\n"),
     ],
 )
 def test_scenario_name(file: str, name: str) -> None:

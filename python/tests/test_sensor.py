@@ -5,31 +5,28 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import plain
 import pytest
 
-from occgrid import sensor
 from occgrid.grid import GridSpec, OccupancyGrid
+from occgrid.portable_math import pi
 from occgrid.sensor import (
-    PI,
     NoReturn,
     Scan,
     beam_angles,
     flaser_angles,
     read_ranges,
     update_grid_from_scan,
-    update_grid_from_scans,
 )
 from occgrid.world import Pose
 
 
 def test_beam_angles() -> None:
-    angles = beam_angles(PI, 181)
-    assert angles[0] == -PI / 2
+    angles = beam_angles(pi, 181)
+    assert angles[0] == -pi / 2
     assert angles[90] == 0.0
-    assert angles[180] == PI / 2
-    assert angles[37] == -(PI / 2.0) + (PI * 37.0) / 180.0
-    assert beam_angles(PI, 1).tolist() == [0.0]
+    assert angles[180] == pi / 2
+    assert angles[37] == -(pi / 2.0) + (pi * 37.0) / 180.0
+    assert beam_angles(pi, 1).tolist() == [0.0]
 
 
 @pytest.mark.parametrize(
@@ -47,7 +44,7 @@ def test_beam_angles() -> None:
 def test_flaser_angles(beams: int, last_degrees: float) -> None:
     angles = flaser_angles(beams)
     assert angles.size == beams
-    assert angles[0] == -PI / 2
+    assert angles[0] == -pi / 2
     assert math.degrees(angles[-1]) == pytest.approx(last_degrees)
 
 
@@ -80,48 +77,3 @@ def test_problem_3_no_return_marks_nothing_occupied() -> None:
     assert grid_after([math.inf]) == " ....... "
     assert grid_after([6.0], "ignore") == "         "
     assert grid_after([math.nan]) == "         "
-
-
-def random_scans(rng: np.random.Generator, scans: int) -> list[Scan]:
-    made = []
-    for _ in range(scans):
-        n = int(rng.integers(1, 60))
-        x, y, theta = rng.uniform([-4.0, -4.0, -9.0], [4.0, 4.0, 9.0])
-        pose = Pose(x, y, theta)
-        ranges = rng.uniform(0.0, 6.0, n)
-        ranges[rng.random(n) < 0.05] = math.inf
-        ranges[rng.random(n) < 0.05] = math.nan
-        made.append(Scan(pose, rng.uniform(-2.0, 2.0, n), ranges))
-    return made
-
-
-@pytest.mark.parametrize("seed", range(6))
-@pytest.mark.parametrize("no_return", ["free", "ignore"])
-def test_update_is_the_plain_loop(
-    seed: int, no_return: NoReturn, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Scan by scan, all at once, and in small parts: the same bits."""
-    rng = np.random.default_rng(seed)
-    spec = GridSpec(23, 17, 0.25, -2.6, -1.9)
-    model = (0.45, 0.8, 0.35, -2.9, 2.3)
-    scans = random_scans(rng, 12)
-    looped, single, batched, parts = (
-        OccupancyGrid(spec, *model) for _ in range(4)
-    )
-    for scan in scans:
-        plain.update_grid_from_scan(
-            looped,
-            scan.pose,
-            scan.angles.tolist(),
-            scan.ranges.tolist(),
-            5.0,
-            no_return,
-        )
-        update_grid_from_scan(single, scan, 5.0, no_return)
-    update_grid_from_scans(batched, scans, 5.0, no_return)
-    monkeypatch.setattr(sensor, "MAX_CELLS", 50)
-    update_grid_from_scans(parts, scans, 5.0, no_return)
-    expected = looped.log_odds.tobytes()
-    assert single.log_odds.tobytes() == expected
-    assert batched.log_odds.tobytes() == expected
-    assert parts.log_odds.tobytes() == expected
