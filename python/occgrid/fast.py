@@ -2,8 +2,8 @@
 
 The printed program maps beam by beam. One call of NumPy costs as much as hundreds of its additions, and a beam of some
 sixty cells takes thirty calls. Here the beams of many scans are traced together, and the updates of all their cells are
-applied side by side, those of one cell in their order: the lesson is mapped in a twentieth of the time. Each function
-says why its bits are those of the printed program.
+applied side by side, those of one cell in their order: the lesson is mapped in a twentieth of the time. The comments
+show why the bits are those of the printed program.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from occgrid.grid import Cells, Mask, OccupancyGrid
+from occgrid.grid import Cells, OccupancyGrid
 from occgrid.mapper import simulated_scans
+from occgrid.portable_math import Mask
 from occgrid.ray import MAX_STEPS
 from occgrid.scenario import Scenario
 from occgrid.sensor import NoReturn, Scan, beam_endpoints, read_ranges
@@ -97,6 +98,8 @@ def update_grid_from_scans(
         return
     beams = [scan.angles.size for scan in scans]
     x, y, theta = np.repeat([scan.pose for scan in scans], beams, axis=0).T
+    if beams != [scan.ranges.size for scan in scans]:
+        raise ValueError("a scan needs as many ranges as bearings")
     angles = np.concatenate([scan.angles for scan in scans])
     ranges = np.concatenate([scan.ranges for scan in scans])
     z, hit, used = read_ranges(ranges, z_max, no_return)

@@ -9,10 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from occgrid import portable_math
+from occgrid.portable_math import Array, Mask
 
-Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
-Mask = npt.NDArray[np.bool_]
 Cell = int | np.int64  # the column or the row of one cell
 
 

@@ -52,7 +52,7 @@ class UsageError(Exception):
 
 
 class MissingExtra(Exception):
-    """A package that is not installed; its text says what brings it."""
+    """A package that is not installed; its text names what brings it."""
 
 
 @dataclass
@@ -194,7 +194,10 @@ def _map_one(file: str | None, options: Options) -> None:
     if options.plot is not None:
         from occgrid.picture import draw_map
 
-        draw_map(grid, options.plot)
+        try:
+            draw_map(grid, options.plot)
+        except OSError as error:  # one from within names no file
+            raise OSError(error.errno, error.strerror, options.plot) from error
 
 
 def _check_plot(file: str) -> None:

@@ -16,7 +16,8 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from occgrid.grid import Array, OccupancyGrid, logit, sigmoid
+from occgrid.grid import OccupancyGrid, logit, sigmoid
+from occgrid.portable_math import Array
 
 # cells whose pixels are computed together, a row or more: bounds the memory, whatever the grid
 CELLS_AT_ONCE = 1 << 14

@@ -13,7 +13,10 @@ from occgrid.world import simulate_lidar_scan
 
 # [snippet: map-scenario]
 def map_scenario(scenario: Scenario, seed: int | None) -> OccupancyGrid:
-    """Map all scans of a scenario; without a seed, free of noise."""
+    """Map all scans of a scenario; without a seed, free of noise.
+
+    Raises ScenarioError for a line of its file that breaks a rule.
+    """
     settings = scenario.settings
     grid = settings.new_grid()
     for scan in simulated_scans(scenario, seed):

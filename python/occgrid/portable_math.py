@@ -94,7 +94,7 @@ def _reduce_huge(x: float) -> tuple[int, float, float]:
     q0 = e0 - 24 * (jv + 1)
 
     def column(i: int) -> int:
-        """Column i of x times the digits of 2/pi: below 2^53, so integers say the same as doubles."""
+        """Column i of x times the digits of 2/pi: below 2^53, so integers and doubles agree."""
         return sum(
             t * TWO_OVER_PI_DIGITS[jv + i - j]
             for j, t in enumerate(tx)

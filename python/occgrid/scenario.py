@@ -36,7 +36,7 @@ class Settings:
     origin_x: float
     origin_y: float
     max_range: float
-    min_range: float = 0.0  # recorded ranges below it are ignored
+    min_range: float = 0.0  # the reader gives NaN for recorded ranges below it
     p0: float = 0.5
     p_occ: float = 0.75
     p_free: float = 0.30
@@ -65,7 +65,9 @@ class Scenario:
     """Settings, walls and scans: all that a map is made of.
 
     ``scans`` gives a Pose for a simulated scan and a Scan for a recorded one. Going through it starts from the first
-    scan each time, so a scenario can be mapped again. Those of a file are read one by one as they are asked for.
+    scan each time, so a scenario can be mapped again. Those of a file are read one by one as they are asked for, within
+    the ``with`` statement; that raises ScenarioError for a line that breaks a rule, and where a second pass is asked
+    for of a file that cannot go back, such as a pipe.
     """
 
     def __init__(
@@ -79,7 +81,7 @@ class Scenario:
         self.name = name
         self.settings = settings
         self.walls = walls
-        # an iterator could be gone through only once
+        # a bare iterator could be gone through only once
         self.scans = list(scans) if isinstance(scans, Iterator) else scans
         self._file = file
 

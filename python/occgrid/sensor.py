@@ -7,8 +7,8 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from occgrid import portable_math
-from occgrid.grid import Array, Mask, OccupancyGrid
-from occgrid.portable_math import pi
+from occgrid.grid import OccupancyGrid
+from occgrid.portable_math import Array, Mask, pi
 from occgrid.ray import bresenham
 from occgrid.world import Pose
 

@@ -6,11 +6,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from occgrid import portable_math
-
-Array = npt.NDArray[np.float64]
+from occgrid.portable_math import Array
 
 
 class Pose(NamedTuple):

@@ -16,9 +16,10 @@ import numpy as np
 
 from occgrid import portable_math
 from occgrid.fast import clip_ray
-from occgrid.grid import Array, GridSpec, OccupancyGrid, logit, sigmoid
+from occgrid.grid import GridSpec, OccupancyGrid, logit, sigmoid
 from occgrid.map_writer import pixel
 from occgrid.noise import normal_deviate, philox4x32
+from occgrid.portable_math import Array
 from occgrid.ray import bresenham
 from occgrid.sensor import (
     NoReturn,

@@ -20,8 +20,9 @@ from occgrid.fast import (
     map_scenario_fast,
     update_grid_from_scans,
 )
-from occgrid.grid import Array, GridSpec, OccupancyGrid
+from occgrid.grid import GridSpec, OccupancyGrid
 from occgrid.mapper import map_scenario
+from occgrid.portable_math import Array
 from occgrid.ray import MAX_STEPS, bresenham
 from occgrid.scenario import read_scenario
 from occgrid.sensor import NoReturn, Scan, update_grid_from_scan
@@ -232,6 +233,18 @@ def test_no_scans() -> None:
     grid = OccupancyGrid(GridSpec(2, 2, 1.0, 0.0, 0.0))
     update_grid_from_scans(grid, [], 5.0)
     assert (grid.log_odds == grid.l0).all()
+
+
+def test_ranges_without_bearings_are_refused() -> None:
+    """Also where two scans together have as many of each."""
+    grid = OccupancyGrid(GridSpec(2, 2, 1.0, 0.0, 0.0))
+    pose = Pose(0.5, 0.5, 0.0)
+    few = Scan(pose, np.zeros(3), np.ones(2))
+    many = Scan(pose, np.zeros(2), np.ones(3))
+    with pytest.raises(ValueError, match="as many ranges as bearings"):
+        update_grid_from_scans(grid, [few, many], 5.0)
+    with pytest.raises(ValueError, match="could not be broadcast"):
+        update_grid_from_scan(grid, few, 5.0)
 
 
 def test_two_grids_in_turn() -> None:
