@@ -7,8 +7,9 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from occgrid.fast import update_grid_from_scans
 from occgrid.grid import OccupancyGrid
-from occgrid.sensor import Scan, update_grid_from_scans
+from occgrid.sensor import Scan
 from occgrid_bench.work import Work
 
 Array = npt.NDArray[np.float64]

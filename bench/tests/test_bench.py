@@ -130,8 +130,11 @@ def test_crossed_cells_are_about_those_of_the_lines() -> None:
     grid = OccupancyGrid(work.spec)
     cells = 0
     for pose, ranges in zip(work.poses, work.ranges, strict=True):
-        x, y, theta = (np.full(work.angles.size, value) for value in pose)
-        ex, ey = beam_endpoints(x, y, theta, work.angles, ranges)
+        x, y = (
+            np.full(work.angles.size, pose.x),
+            np.full(work.angles.size, pose.y),
+        )
+        ex, ey = beam_endpoints(pose, work.angles, ranges)
         gx0, gy0 = grid.world_to_grid(x, y)
         gx1, gy1 = grid.world_to_grid(ex, ey)
         steps = np.maximum(abs(gx1 - gx0), abs(gy1 - gy0))

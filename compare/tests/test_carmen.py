@@ -87,10 +87,7 @@ def hit_cells(
     for scan in scenario.scans:
         assert isinstance(scan, Scan)
         hit = scan.ranges < scenario.settings.max_range
-        x, y, theta = (np.full(hit.sum(), value) for value in scan.pose)
-        ex, ey = beam_endpoints(
-            x, y, theta, scan.angles[hit], scan.ranges[hit]
-        )
+        ex, ey = beam_endpoints(scan.pose, scan.angles[hit], scan.ranges[hit])
         xs += [scan.pose.x, *ex]
         ys += [scan.pose.y, *ey]
     return grid.world_to_grid(np.array(xs), np.array(ys))

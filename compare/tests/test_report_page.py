@@ -17,10 +17,10 @@ from playwright.sync_api import (
     sync_playwright,
 )
 
-from occgrid.map_writer import pixels
-from occgrid.mapper import map_scenario
+from occgrid.map_writer import pixel
 from occgrid.scenario import read_scenario
 from occgrid_parity.formats.map_files import read_map
+from occgrid_parity.model.map_history import maps_after_scans
 from occgrid_parity.report.run_page import write_page
 
 from .conftest import ROOT
@@ -182,16 +182,12 @@ def test_differences_are_counted_and_found(page: Page) -> None:
 def test_the_scrubber_goes_through_the_scans(page: Page) -> None:
     choose(page, "saturate", "noise-free", "nearly")
     scrubber = page.locator("#scrubber")
-    expected: list[int] = []
     cell = (9, 3)
     with read_scenario(ROOT / "scenarios" / "saturate.log") as scenario:
-        map_scenario(
-            scenario,
-            None,
-            lambda _, grid: expected.append(
-                int(pixels(grid.log_odds[cell[1], cell[0]]))
-            ),
-        )
+        expected = [
+            int(pixel(grid.log_odds[cell[1], cell[0]]))
+            for grid in maps_after_scans(scenario, None)
+        ]
     assert len(expected) == 17 and len(set(expected)) == 11
     hover(page, *cell, 20, 16)
     for scans in (1, 5, 9, 14):

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from occgrid.grid import OccupancyGrid
+from occgrid.fast import clip_ray
 from occgrid.lesson import lesson_scenario, lesson_settings
-from occgrid.mapper import map_scenario, simulated_scans
-from occgrid.ray import clip_ray
+from occgrid.mapper import simulated_scans
 from occgrid.sensor import Scan, beam_endpoints, read_ranges
+from occgrid_parity.model.map_history import maps_after_scans
 
 Array = npt.NDArray[np.float64]
 Cells = npt.NDArray[np.int64]
@@ -45,12 +45,8 @@ class LessonRun:
 
 def run_lesson() -> LessonRun:
     """Maps the lesson noise-free and keeps what happens."""
-    history: list[Array] = []
-
-    def keep(number: int, grid: OccupancyGrid) -> None:
-        history.append(grid.log_odds.copy())
-
-    map_scenario(lesson_scenario(), None, keep)
+    maps = maps_after_scans(lesson_scenario(), None)
+    history = [grid.log_odds.copy() for grid in maps]
     snapshots = {scans: history[scans - 1] for scans in SNAPSHOTS}
     return LessonRun(lesson_beams(), snapshots, np.stack(history))
 
@@ -62,11 +58,12 @@ def lesson_beams(scans: Sequence[Scan] | None = None) -> Beams:
     scans = scans or list(simulated_scans(lesson_scenario(), None))
     parts: list[tuple[npt.NDArray[np.generic], ...]] = []
     for number, scan in enumerate(scans):
-        x, y, theta = (np.full(scan.angles.size, v) for v in scan.pose)
+        x = np.full(scan.angles.size, scan.pose.x)
+        y = np.full(scan.angles.size, scan.pose.y)
         z, hit, _ = read_ranges(
             scan.ranges, settings.max_range, settings.no_return
         )
-        ex, ey = beam_endpoints(x, y, theta, scan.angles, z)
+        ex, ey = beam_endpoints(scan.pose, scan.angles, z)
         cells = (*grid.world_to_grid(x, y), *grid.world_to_grid(ex, ey))
         parts.append((np.full(hit.size, number), hit, ex, ey, *cells))
     return Beams(*(np.concatenate(part) for part in zip(*parts, strict=True)))

@@ -46,8 +46,8 @@ def run_one_beam(root: Path) -> OneBeam:
     z, hit, _ = read_ranges(
         scan.ranges, settings.max_range, settings.no_return
     )
-    x, y, theta = (np.array([value]) for value in scan.pose)
-    ex, ey = beam_endpoints(x, y, theta, scan.angles, z)
+    x, y = np.array([scan.pose.x]), np.array([scan.pose.y])
+    ex, ey = beam_endpoints(scan.pose, scan.angles, z)
     gx0, gy0 = grid.world_to_grid(x, y)
     gx1, gy1 = grid.world_to_grid(ex, ey)
     cells = bresenham(int(gx0[0]), int(gy0[0]), int(gx1[0]), int(gy1[0]))

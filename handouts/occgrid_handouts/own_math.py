@@ -11,9 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from occgrid import portable_math, sensor
+from occgrid.fast import update_grid_from_scans
 from occgrid.lesson import lesson_settings, lesson_world
-from occgrid.map_writer import pixels
-from occgrid.sensor import PI, Scan, update_grid_from_scans
+from occgrid.map_writer import pixel
+from occgrid.portable_math import pi
+from occgrid.sensor import Scan
 from occgrid.world import Pose, simulate_lidar_scan
 from occgrid_handouts.lesson_run import Beams, lesson_beams
 from occgrid_handouts.platform_math import Measured
@@ -77,7 +79,7 @@ def draw(
         for turn in writing.turns.tolist():
             x = -6.0 + 6.0 * float(portable_math.cos(turn))
             y = 0.0 + 4.0 * float(portable_math.sin(turn))
-            pose = Pose(x, y, turn + PI / 2.0)
+            pose = Pose(x, y, turn + pi / 2.0)
             ranges = simulate_lidar_scan(
                 pose, walls, writing.bearings, settings.max_range
             )
@@ -87,7 +89,7 @@ def draw(
             grid, scans, settings.max_range, settings.no_return
         )
         beams = lesson_beams(scans)
-    return Drawn(name, grid.log_odds, pixels(grid.log_odds), beams)
+    return Drawn(name, grid.log_odds, pixel(grid.log_odds), beams)
 
 
 def looked_up(arguments: Array, results: Array) -> Function:

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from occgrid.grid import OccupancyGrid, sigmoid
+from occgrid.grid import sigmoid
 from occgrid.lesson import lesson_scenario, lesson_settings
-from occgrid.mapper import map_scenario
+from occgrid_parity.model.map_history import maps_after_scans
 
 Array = npt.NDArray[np.float64]
 
@@ -42,15 +42,11 @@ class Design:
 
 def history(**changes: float) -> Array:
     """Log-odds of every cell after every scan of the lesson, (scans, height, width)."""
-    kept: list[Array] = []
-
-    def keep(number: int, grid: OccupancyGrid) -> None:
-        kept.append(grid.log_odds.copy())
-
     scenario = lesson_scenario()
     scenario.settings = replace(scenario.settings, **changes)  # type: ignore[arg-type]
-    map_scenario(scenario, None, keep)
-    return np.stack(kept)
+    return np.stack(
+        [grid.log_odds.copy() for grid in maps_after_scans(scenario, None)]
+    )
 
 
 def clamp_story(clamped: Array) -> ClampStory:

@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from occgrid.lesson import lesson_settings
-from occgrid.sensor import PI, beam_angles
+from occgrid.portable_math import pi
+from occgrid.sensor import beam_angles
 from occgrid_handouts.platform_math import search_path
 
 Array = npt.NDArray[np.float64]
@@ -28,14 +29,14 @@ class Writing:
 
     def angles(self) -> Array:
         """Every angle whose sine and cosine the lesson asks for."""
-        directions = (self.turns + PI / 2.0)[:, None] + self.bearings
+        directions = (self.turns + pi / 2.0)[:, None] + self.bearings
         return np.unique(np.concatenate([self.turns, directions.ravel()]))
 
 
 def contract_writing() -> Writing:
     """-fov/2 + fov*i/(n-1) and 2*pi*(t/120), as in C++ and Java."""
     settings = lesson_settings()
-    turns = [(2.0 * PI) * (t / 120.0) for t in range(120)]
+    turns = [(2.0 * pi) * (t / 120.0) for t in range(120)]
     bearings = beam_angles(settings.fov, settings.beams)
     return Writing("contract", bearings, np.array(turns))
 

@@ -466,7 +466,7 @@ class ScenarioReader:
 class _Recording:
     """The scans of a file, each time from the first one."""
 
-    def __init__(self, reader: _Reader, first: list[str]) -> None:
+    def __init__(self, reader: ScenarioReader, first: list[str]) -> None:
         self._reader = reader
         self._first = first  # the fields of the first scan's line
         self._start = reader.line, reader.offset

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from occgrid.grid import OccupancyGrid
 from occgrid.map_writer import map_pgm
 from occgrid.mapper import map_scenario
 from occgrid.scenario import read_scenario
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.log_odds import hash_log_odds
 from occgrid_parity.formats.text_files import write_text
+from occgrid_parity.model.map_history import maps_after_scans
 from occgrid_parity.suite.golden import golden_files, hashes_text, read_golden
 from occgrid_parity.suite.modes import DEFAULT_MODES, Mode
 from occgrid_parity.suite.scenarios import ScenarioFile
@@ -36,18 +36,17 @@ def make_golden(scenario: ScenarioFile, mode: Mode) -> Fresh:
     Raises occgrid.scenario.ScenarioError where the scenario breaks a rule.
     """
     assert scenario.path is not None
-    scans: list[str] = []
-
-    def after_scan(number: int, grid: OccupancyGrid) -> None:
-        scans.append(hash_log_odds(grid.log_odds))
-
     with read_scenario(scenario.path) as opened:
-        grid = map_scenario(opened, mode.seed, after_scan)
+        scans = [
+            hash_log_odds(grid.log_odds)
+            for grid in maps_after_scans(opened, mode.seed)
+        ]
+        grid = map_scenario(opened, mode.seed)
     if hash_log_odds(grid.log_odds) != scans[-1]:
         raise AssertionError(
             f"{scenario.name}: the map is not that of the last scan"
         )
-    return Fresh(scenario.map, mode, scans, map_pgm(grid))
+    return Fresh(scenario.map, mode, scans, "".join(map_pgm(grid)))
 
 
 def write_golden(folder: Path, fresh: Fresh) -> None:

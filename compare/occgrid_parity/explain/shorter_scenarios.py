@@ -14,7 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from occgrid.sensor import PI, Scan, beam_angles
+from occgrid.portable_math import pi
+from occgrid.sensor import Scan, beam_angles
 from occgrid.world import Pose
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.suite.cases import Case
@@ -115,7 +116,7 @@ class Shortener:
         if fields[0] == b"ROBOTLASER1":
             start, step = float(fields[2]), float(fields[4])
         else:
-            start, step = -(PI / 2.0), flaser_step(one.angles.size)
+            start, step = -(pi / 2.0), flaser_step(one.angles.size)
         words = self._range_words(scan)[:count]
         return recorded_line(one.pose, start, step, words)
 
@@ -165,7 +166,7 @@ def flaser_step(beams: int) -> float:
     steps |= {400: 720.0, 401: 720.0}
     if beams == 1:
         return 0.0
-    return PI / steps.get(beams, beams - 1.0)
+    return pi / steps.get(beams, beams - 1.0)
 
 
 def _number(value: float) -> str:

@@ -32,11 +32,7 @@ class Bounds:
         """Takes in the scan's position and where its hits end."""
         pose = scan.pose
         z, hit, _ = read_ranges(scan.ranges, max_range, "ignore")
-        n = int(hit.sum())
-        x, y, theta = (
-            np.full(n, value) for value in (pose.x, pose.y, pose.theta)
-        )
-        ex, ey = beam_endpoints(x, y, theta, scan.angles[hit], z[hit])
+        ex, ey = beam_endpoints(pose, scan.angles[hit], z[hit])
         points = np.array([[*ex, pose.x], [*ey, pose.y]])
         self.low = np.minimum(self.low, points.min(axis=1))
         self.high = np.maximum(self.high, points.max(axis=1))

@@ -6,8 +6,8 @@ import functools
 
 import numpy as np
 
+from occgrid.fast import map_scenario_fast
 from occgrid.grid import OccupancyGrid
-from occgrid.mapper import map_scenario
 from occgrid.scenario import Scenario, read_scenario
 from occgrid_parity.formats.log_odds import hash_log_odds
 from occgrid_parity.model.mapper_steps import Drawn
@@ -32,7 +32,7 @@ def _draw(case: Case, mode: Mode) -> Drawn:
     scenario = Scenario(
         case.name, world.settings, list(world.walls), iter(world.scans)
     )
-    grid = map_scenario(scenario, mode.seed)
+    grid = map_scenario_fast(scenario, mode.seed)
     return Drawn(grid.log_odds, picture(grid))
 
 
@@ -55,7 +55,7 @@ def golden_problem(name: str, mode: Mode) -> str | None:
     if golden is None:
         return None
     with read_scenario(scenario_folder() / f"{name}.log") as scenario:
-        grid = map_scenario(scenario, mode.seed)
+        grid = map_scenario_fast(scenario, mode.seed)
     if hash_log_odds(grid.log_odds) == golden.scans[-1]:
         return None
     return (

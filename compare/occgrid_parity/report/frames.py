@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from occgrid.grid import OccupancyGrid
 from occgrid.lesson import lesson_scenario
-from occgrid.map_writer import pixels
-from occgrid.mapper import map_scenario
+from occgrid.map_writer import pixel
 from occgrid.scenario import Scenario, read_scenario
+from occgrid_parity.model.map_history import maps_after_scans
 
 Picture = NDArray[np.uint8]
 
@@ -46,7 +46,8 @@ def record_frames(scenario: Scenario, seed: int | None) -> Frames:
     settings = scenario.settings
     limit = MOST_BYTES // (settings.width * settings.height)
     kept = _Kept(max(2, min(MOST_FRAMES, limit)))
-    map_scenario(scenario, seed, kept.after_scan)
+    for grid in maps_after_scans(scenario, seed):
+        kept.after_scan(grid)
     return kept.frames()
 
 
@@ -61,9 +62,9 @@ class _Kept:
         self.log_odds: NDArray[np.float64] | None = None
         self.picture = np.zeros((0, 0), dtype=np.uint8)
 
-    def after_scan(self, number: int, grid: OccupancyGrid) -> None:
+    def after_scan(self, grid: OccupancyGrid) -> None:
         """Takes the picture of a scan, if it is its turn."""
-        self.total = number + 1
+        self.total += 1
         self.grid = grid
         if self.total % self.every == 0:
             self.take()
@@ -79,11 +80,11 @@ class _Kept:
         """Takes a picture: only the cells that changed since the last one are computed."""
         log_odds = self.grid.log_odds
         if self.log_odds is None:
-            self.picture = pixels(log_odds).astype(np.uint8)
+            self.picture = pixel(log_odds).astype(np.uint8)
         else:
             changed = log_odds != self.log_odds
             self.picture = self.picture.copy()
-            self.picture[changed] = pixels(log_odds[changed])
+            self.picture[changed] = pixel(log_odds[changed])
         self.log_odds = log_odds.copy()
         self.pictures[self.total] = self.picture[::-1]
 
