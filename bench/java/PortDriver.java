@@ -4,10 +4,11 @@ import java.io.OutputStream;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalLong;
+import occgrid.Fast;
 import occgrid.Grid.OccupancyGrid;
 import occgrid.MapWriter;
-import occgrid.Mapper;
 import occgrid.Scenario;
+import occgrid.Scenario.Recorded;
 import occgrid.Scenario.Settings;
 import occgrid.Sensor;
 import occgrid.Sensor.NoReturn;
@@ -15,46 +16,49 @@ import occgrid.Sensor.Scan;
 import occgrid.World.Pose;
 
 /**
- * The Java port at the benchmark's work: PortDriver WORK [THREADS].
+ * The Java port at the benchmark's work: PortDriver WORK [THREADS | plain].
  *
- * <p>Without THREADS: updateGridFromScan, scan after scan. With it the port's
- * mapping loop, mapScenario or mapScenarioInBands, on a scenario in memory.
+ * <p>Without THREADS: updateGridFromScans; with plain updateGridFromScan, scan
+ * after scan. With THREADS the port's mapping loop, mapScenarioFast, on a
+ * scenario in memory.
  */
 final class PortDriver implements Driver.Mapping {
     private final Settings settings;
     private final List<Scan> scans;
-    private final int threads;
+    private final String how;
     private OccupancyGrid grid;
 
-    private PortDriver(Driver.Work work, int threads) {
+    private PortDriver(Driver.Work work, String how) {
         settings = new Settings(work.width(), work.height(),
                 work.resolution(), work.originX(), work.originY(),
-                work.maxRange(), 0.5, 0.75, 0.30, -8.0, 8.0, NoReturn.FREE,
+                work.maxRange(), 0.0, 0.5, 0.75, 0.30, -8.0, 8.0, NoReturn.FREE,
                 3.141592653589793, 181, 0.02);
         scans = Arrays.stream(work.scans())
                 .map(scan -> new Scan(
                         new Pose(scan.x(), scan.y(), scan.theta()),
                         work.angles(), scan.ranges()))
                 .toList();
-        this.threads = threads;
+        this.how = how;
     }
 
     @Override
     public void map() {
-        if (threads == 0) {
+        if (how.isEmpty()) {
+            grid = settings.newGrid();
+            Fast.updateGridFromScans(grid, scans, settings.maxRange(),
+                    settings.noReturn());
+        } else if (how.equals("plain")) {
             grid = settings.newGrid();
             for (Scan scan : scans) {
                 Sensor.updateGridFromScan(grid, scan, settings.maxRange(),
                         settings.noReturn());
             }
-            return;
+        } else {
+            Scenario scenario = new Scenario("", settings, List.of(),
+                    scans.stream().map(Recorded::new).toList());
+            grid = Fast.mapScenarioFast(scenario, OptionalLong.empty(),
+                    Integer.parseInt(how));
         }
-        Scenario scenario = new Scenario("", settings, List.of(),
-                scans.iterator());
-        grid = threads == 1
-                ? Mapper.mapScenario(scenario, OptionalLong.empty())
-                : Mapper.mapScenarioInBands(scenario, OptionalLong.empty(),
-                        threads);
     }
 
     @Override
@@ -65,10 +69,8 @@ final class PortDriver implements Driver.Mapping {
     }
 
     public static void main(String[] arguments) throws IOException {
-        int threads = arguments.length > 1
-                ? Integer.parseInt(arguments[1])
-                : 0;
+        String how = arguments.length > 1 ? arguments[1] : "";
         Driver.answerRequests(
-                new PortDriver(Driver.readWork(arguments[0]), threads));
+                new PortDriver(Driver.readWork(arguments[0]), how));
     }
 }

@@ -3,13 +3,14 @@ package occgrid;
 import java.util.ArrayList;
 import java.util.List;
 import occgrid.Scenario.Settings;
+import occgrid.Scenario.Simulated;
 import occgrid.Sensor.NoReturn;
 import occgrid.World.Pose;
 import occgrid.World.Segment;
 
 /**
  * The lesson, built in (lesson section 6): a robot drives an ellipse in a
- * box with two inner walls. One file, one room: lesson.
+ * box with two inner walls.
  */
 public final class Lesson {
     private Lesson() {
@@ -28,17 +29,18 @@ public final class Lesson {
         double originX = -11.0;
         double originY = -9.0;
         double maxRange = 10.0;
+        double minRange = 0.0;
         double p0 = 0.5;
         double pOcc = 0.75;
         double pFree = 0.30;
         double lMin = -8.0;
         double lMax = 8.0;
-        double fov = Sensor.PI;
+        double fov = PortableMath.PI;
         int beams = 181;
         double noiseStd = 0.02;
         return new Settings(width, height, resolution, originX, originY,
-                maxRange, p0, pOcc, pFree, lMin, lMax, NoReturn.FREE, fov,
-                beams, noiseStd);
+                maxRange, minRange, p0, pOcc, pFree, lMin, lMax,
+                NoReturn.FREE, fov, beams, noiseStd);
     }
     // [/snippet]
 
@@ -65,10 +67,10 @@ public final class Lesson {
     public static List<Pose> lessonPoses() {
         List<Pose> poses = new ArrayList<>();
         for (int t = 0; t < 120; t++) {
-            double ang = Noise.TWO_PI * (t / 120.0);
+            double ang = 2.0 * PortableMath.PI * (t / 120.0);
             double x = -6.0 + 6.0 * PortableMath.cos(ang);
             double y = 0.0 + 4.0 * PortableMath.sin(ang);
-            poses.add(new Pose(x, y, ang + Sensor.PI / 2.0));
+            poses.add(new Pose(x, y, ang + PortableMath.PI / 2.0));
         }
         return poses;
     }
@@ -81,6 +83,6 @@ public final class Lesson {
      */
     public static Scenario lessonScenario() {
         return new Scenario("lesson", lessonSettings(), lessonWorld(),
-                lessonPoses().iterator());
+                lessonPoses().stream().map(Simulated::new).toList());
     }
 }

@@ -1,34 +1,32 @@
 package occgrid;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.List;
 import occgrid.Grid.GridSpec;
 import occgrid.Grid.OccupancyGrid;
+import occgrid.OutputFiles.Output;
 
 /**
  * Writing a map: the picture (PGM), what a navigation stack needs beside it
- * (YAML), the log-odds (SPEC.md section 7). One file, one room: map_writer.
+ * (YAML), the log-odds (SPEC.md section 7).
  *
- * <p>Text goes to a stream row by row, for a grid may have 25 million cells.
+ * <p>
+ * Differs from the other ports: each text goes to a stream row by row, since
+ * a grid may have 25 million cells.
  */
 public final class MapWriter {
     private MapWriter() {
     }
 
-    /** A folder or file that cannot be written. */
+    /** A folder or file that cannot be written: PATH: cannot be written. */
     public static final class WriteException extends IOException {
         private static final long serialVersionUID = 1L;
 
-        WriteException(Path path, IOException cause) {
+        WriteException(String path, Throwable cause) {
             super(path + ": cannot be written", cause);
         }
     }
@@ -56,14 +54,14 @@ public final class MapWriter {
      */
     public static void mapPgm(OccupancyGrid grid, OutputStream out)
             throws IOException {
-        int width = grid.spec.width();
-        int height = grid.spec.height();
+        int width = grid.spec().width();
+        int height = grid.spec().height();
         write(out, "P2\n" + width + " " + height + "\n255\n");
         for (int gy = height - 1; gy >= 0; gy--) {
             StringBuilder row = new StringBuilder();
             for (int gx = 0; gx < width; gx++) {
                 row.append(gx == 0 ? "" : " ");
-                row.append(pixel(grid.logOdds[gy * width + gx]));
+                row.append(pixel(grid.logOdds(gx, gy)));
             }
             write(out, row.append('\n'));
         }
@@ -71,7 +69,8 @@ public final class MapWriter {
     // [/snippet]
 
     /**
-     * The description that map_server and Nav2 read beside the picture.
+     * The description that map_server and Nav2 read beside the picture. Its
+     * thresholds follow the prior: a cell that nothing touched is unknown.
      *
      * @param grid the map
      * @param image the picture's file name
@@ -80,15 +79,23 @@ public final class MapWriter {
      */
     public static void mapYaml(OccupancyGrid grid, String image,
             OutputStream out) throws IOException {
-        GridSpec spec = grid.spec;
-        write(out, "image: " + image + "\n"
-                + "mode: trinary\n"
+        GridSpec spec = grid.spec();
+        double l0 = grid.l0();
+        double grey = 255 - pixel(l0); // how readers see the prior, of 255
+        double occupied = Math.max(Grid.sigmoid(l0 + Grid.logit(0.65)),
+                (grey + 0.5) / 255.0);
+        double free = Math.min(Grid.sigmoid(l0 + Grid.logit(0.196)),
+                (grey - 0.5) / 255.0);
+        write(out, "image: ");
+        // the name's own bytes, whatever the locale
+        out.write(quoted(image).getBytes(FileNames.CHARSET));
+        write(out, "\nmode: trinary\n"
                 + "resolution: " + fixed(spec.resolution()) + "\n"
                 + "origin: [" + fixed(spec.originX()) + ", "
                 + fixed(spec.originY()) + ", 0.0]\n"
                 + "negate: 0\n"
-                + "occupied_thresh: 0.65\n"
-                + "free_thresh: 0.196\n");
+                + "occupied_thresh: " + fixed(Math.min(occupied, 1.0)) + "\n"
+                + "free_thresh: " + fixed(Math.max(free, 0.0)) + "\n");
     }
 
     /**
@@ -101,14 +108,14 @@ public final class MapWriter {
      */
     public static void mapLogOdds(OccupancyGrid grid, OutputStream out)
             throws IOException {
-        int width = grid.spec.width();
-        int height = grid.spec.height();
+        int width = grid.spec().width();
+        int height = grid.spec().height();
         write(out, "# logodds " + width + " " + height + "\n");
         for (int gy = 0; gy < height; gy++) {
             StringBuilder row = new StringBuilder();
             for (int gx = 0; gx < width; gx++) {
                 row.append(gx == 0 ? "" : " ");
-                row.append(grid.logOdds[gy * width + gx]);
+                row.append(grid.logOdds(gx, gy));
             }
             write(out, row.append('\n'));
         }
@@ -116,84 +123,49 @@ public final class MapWriter {
 
     /**
      * Writes NAME.pgm, NAME.yaml and NAME.logodds into a folder, which is
-     * made where it is missing. Each file is renamed into place when all of
-     * them are whole.
+     * made where it is missing: all three files or none.
+     *
+     * <p>
+     * They are written under temporary names and renamed when all are whole.
+     * Temporary files that a killed run left in the folder are removed when
+     * they are more than 24 hours old.
      *
      * @param folder the folder
      * @param name the files' name
      * @param grid the map
      * @throws WriteException if the folder or a file cannot be written
      */
-    public static void writeMap(Path folder, String name, OccupancyGrid grid)
-            throws WriteException {
-        makeFolder(folder);
-        Map<Path, Path> written = new LinkedHashMap<>();
-        try {
-            write(folder.resolve(name + ".pgm"), written,
-                    out -> mapPgm(grid, out));
-            write(folder.resolve(name + ".yaml"), written,
-                    out -> mapYaml(grid, name + ".pgm", out));
-            write(folder.resolve(name + ".logodds"), written,
-                    out -> mapLogOdds(grid, out));
-            for (Path path : written.keySet()) {
-                rename(written.get(path), path);
-            }
-        } finally {
-            // nothing is left of them where all went well
-            written.values().forEach(MapWriter::remove);
-        }
-    }
-
-    private interface Text {
-        void writeTo(OutputStream out) throws IOException;
-    }
-
-    private static void makeFolder(Path folder) throws WriteException {
-        try {
-            // early releases of 17 refuse a link to a folder (JDK-8294193)
-            if (!Files.isDirectory(folder)) {
-                Files.createDirectories(folder);
-            }
-        } catch (IOException error) {
-            throw new WriteException(folder, error);
-        }
-    }
-
-    /** Writes the text of a file beside it, and notes where. */
-    private static void write(Path path, Map<Path, Path> written, Text text)
-            throws WriteException {
-        // not a temporary file of Java's: others may not read those
-        String name = "." + path.getFileName() + "."
-                + ProcessHandle.current().pid() + ".part";
-        Path beside = path.resolveSibling(name);
-        written.put(path, beside);
-        try (OutputStream out = new BufferedOutputStream(
-                Files.newOutputStream(beside))) {
-            text.writeTo(out);
-        } catch (IOException error) {
-            throw new WriteException(path, error);
-        }
-    }
-
-    private static void rename(Path beside, Path path) throws WriteException {
-        try {
-            Files.move(beside, path, StandardCopyOption.ATOMIC_MOVE);
-        } catch (IOException error) {
-            throw new WriteException(path, error);
-        }
-    }
-
-    private static void remove(Path beside) {
-        try {
-            Files.deleteIfExists(beside);
-        } catch (IOException error) {
-            // the error that brought us here matters more
-        }
+    public static void writeMap(String folder, String name,
+            OccupancyGrid grid) throws WriteException {
+        OutputFiles.write(folder, List.of(
+                new Output(name + ".pgm", out -> mapPgm(grid, out)),
+                new Output(name + ".yaml",
+                        out -> mapYaml(grid, name + ".pgm", out)),
+                new Output(name + ".logodds",
+                        out -> mapLogOdds(grid, out))));
     }
 
     private static void write(OutputStream out, CharSequence text)
             throws IOException {
-        out.write(text.toString().getBytes(StandardCharsets.UTF_8));
+        out.write(text.toString().getBytes(StandardCharsets.US_ASCII));
+    }
+
+    /** A name for YAML, in double quotes where it needs them. */
+    private static String quoted(String name) {
+        if (name.matches("[A-Za-z0-9_][A-Za-z0-9_.-]*")) {
+            return name;
+        }
+        StringBuilder text = new StringBuilder("\"");
+        for (char c : name.toCharArray()) {
+            if (c < ' ' || c == 0x7f) {
+                String digits = "0123456789ABCDEF";
+                text.append("\\x").append(digits.charAt(c / 16))
+                        .append(digits.charAt(c % 16));
+            } else {
+                text.append(c == '"' || c == '\\' ? "\\" : "").append(c);
+            }
+        }
+        return text.append('"').toString();
     }
 
     /** The exact value rounded to nine decimals, one of them kept. */

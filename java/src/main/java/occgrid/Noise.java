@@ -2,12 +2,9 @@ package occgrid;
 
 /**
  * Range noise that depends on nothing but the seed, the scan and the beam
- * (SPEC.md section 3.3; lesson section 6.3). One file, one room: noise.
+ * (SPEC.md section 3.3; lesson section 6.3).
  */
 public final class Noise {
-    /** The double nearest to 2 pi. */
-    static final double TWO_PI = 6.283185307179586;
-
     private Noise() {
     }
 
@@ -63,28 +60,31 @@ public final class Noise {
         double u1 = (w0 + 0.5) / 4294967296.0;
         double u2 = (w1 + 0.5) / 4294967296.0;
         double radius = Math.sqrt(-2.0 * PortableMath.log(u1));
-        return radius * PortableMath.cos(TWO_PI * u2);
+        return radius * PortableMath.cos(2.0 * PortableMath.PI * u2);
     }
     // [/snippet]
 
     // [snippet: range-noise]
     /**
-     * Adds noise to the ranges of a simulated scan and keeps them within
-     * [0, zMax]. A beam that met no wall gets noise too, as in the lesson.
+     * The ranges of a simulated scan with noise, kept within [0, zMax]. A
+     * beam that met no wall gets noise too, as in the lesson.
      *
-     * @param ranges (n) metres, changed in place
+     * @param ranges (n) metres
      * @param noiseStd standard deviation, metres
      * @param seed from 0 to 2^32 - 1
      * @param scan the scan's number, from 0
      * @param zMax the sensor's maximum range, metres
+     * @return (n) metres
      */
-    public static void addRangeNoise(double[] ranges, double noiseStd,
+    public static double[] addRangeNoise(double[] ranges, double noiseStd,
             long seed, int scan, double zMax) {
+        double[] noisy = new double[ranges.length];
         for (int beam = 0; beam < ranges.length; beam++) {
             double deviate = normalDeviate(seed, scan, beam);
-            double noisy = ranges[beam] + noiseStd * deviate;
-            ranges[beam] = noisy < 0.0 ? 0.0 : noisy > zMax ? zMax : noisy;
+            double range = ranges[beam] + noiseStd * deviate;
+            noisy[beam] = range < 0.0 ? 0.0 : range > zMax ? zMax : range;
         }
+        return noisy;
     }
     // [/snippet]
 }

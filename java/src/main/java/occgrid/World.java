@@ -6,7 +6,6 @@ import java.util.List;
 
 /**
  * The simulated world: walls, ray casting, range scans (lesson section 6).
- * One file, one room: world.
  */
 public final class World {
     private World() {
@@ -19,9 +18,7 @@ public final class World {
      * @param y metres
      * @param theta heading, radians
      */
-    public record Pose(double x, double y, double theta)
-            implements
-                Scenario.Observation {
+    public record Pose(double x, double y, double theta) {
     }
 
     /**

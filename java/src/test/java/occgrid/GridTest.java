@@ -6,17 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
-import java.util.List;
-import java.util.Random;
 import occgrid.Grid.Cell;
 import occgrid.Grid.GridSpec;
 import occgrid.Grid.OccupancyGrid;
 import occgrid.Grid.Point;
-import occgrid.Ray.Steps;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class GridTest {
     private static OccupancyGrid grid(int width, int height) {
@@ -30,7 +24,7 @@ class GridTest {
         int height = (int) Math.floor(20.0 / 0.05);
         assertEquals(600, width);
         assertEquals(400, height);
-        assertEquals(240_000, grid(width, height).logOdds.length);
+        assertEquals(240_000, grid(width, height).logOdds().length);
         assertEquals(1_920_000, 240_000 * Double.BYTES);
     }
 
@@ -64,38 +58,66 @@ class GridTest {
         assertFalse(grid.inBounds(0, 3));
     }
 
+    /** Beyond 2^31, and still exact. */
     @Test
-    void theFarthestCellsFit() {
-        GridSpec spec = new GridSpec(9, 9, 0.001, -1e6, -1e6);
+    void theFarthestCells() {
+        GridSpec spec = new GridSpec(9, 9, 0.001, -1e7, -1e7);
         OccupancyGrid grid = new OccupancyGrid(spec, 0.5, 0.75, 0.3, -8, 8);
-        assertEquals(new Cell(2_001_000_000, 2_001_000_000),
-                grid.worldToGrid(1001e3, 1001e3));
+        assertEquals(new Cell(20_000_000_000L, -1),
+                grid.worldToGrid(1e7, -1e7 - 0.0005));
+        assertFalse(grid.inBounds(1L << 32, 0));
+        assertFalse(grid.inBounds(0, 1L << 32));
+        grid.updateCell(1L << 32, 0, grid.lOcc());
+        grid.updateCell(0, (1L << 32) + 1, grid.lOcc());
+        assertArrayEquals(new double[81], grid.logOdds());
+        Point centre = grid.gridToWorldCenter(20_000_000_000L, 8);
+        assertEquals(-1e7 + 20_000_000_000.5 * 0.001, centre.x());
+        assertEquals(-1e7 + 8.5 * 0.001, centre.y());
+    }
+
+    /** What is read of a grid is a copy; other grids do not matter. */
+    @Test
+    void aGridOwnsItsCells() {
+        OccupancyGrid grid = grid(4, 3);
+        grid.updateCell(1, 2, grid.lOcc());
+        double[] copy = grid.logOdds();
+        copy[0] = 99.0;
+        OccupancyGrid other = grid(7, 8);
+        other.updateCell(0, 0, other.lFree());
+        assertEquals(0.0, grid.logOdds(0, 0));
+        assertEquals(grid.lOcc(), grid.logOdds(1, 2));
+        assertEquals(12, grid.logOdds().length);
+        for (long[] outside : new long[][]{{-1, 0}, {0, -1}, {4, 0}, {0, 3},
+                {1L << 32, 0}}) {
+            assertThrows(IndexOutOfBoundsException.class,
+                    () -> grid.logOdds(outside[0], outside[1]));
+        }
     }
 
     @Test
     void aCellIsClampedAtOnce() {
         OccupancyGrid grid = grid(4, 3);
         double lOcc = StrictMath.log(3.0);
-        grid.updateCell(1, 2, grid.lOcc);
-        assertEquals(lOcc, grid.logOdds[9]);
+        grid.updateCell(1, 2, grid.lOcc());
+        assertEquals(lOcc, grid.logOdds(1, 2));
         for (int i = 0; i < 20; i++) {
-            grid.updateCell(1, 2, grid.lOcc);
-            grid.updateCell(2, 1, grid.lFree);
+            grid.updateCell(1, 2, grid.lOcc());
+            grid.updateCell(2, 1, grid.lFree());
         }
-        assertEquals(8.0, grid.logOdds[9]);
-        assertEquals(-8.0, grid.logOdds[6]);
-        grid.updateCell(1, 2, grid.lFree);
-        assertEquals(8.0 + grid.lFree, grid.logOdds[9]);
+        assertEquals(8.0, grid.logOdds(1, 2));
+        assertEquals(-8.0, grid.logOdds(2, 1));
+        grid.updateCell(1, 2, grid.lFree());
+        assertEquals(8.0 + grid.lFree(), grid.logOdds(1, 2));
     }
 
     @Test
     void cellsOutsideAreSkipped() {
         OccupancyGrid grid = grid(4, 3);
-        grid.updateCell(-1, 1, grid.lOcc);
-        grid.updateCell(4, 1, grid.lOcc);
-        grid.updateCell(1, -1, grid.lOcc);
-        grid.updateCell(1, 3, grid.lOcc);
-        assertArrayEquals(new double[12], grid.logOdds);
+        grid.updateCell(-1, 1, grid.lOcc());
+        grid.updateCell(4, 1, grid.lOcc());
+        grid.updateCell(1, -1, grid.lOcc());
+        grid.updateCell(1, 3, grid.lOcc());
+        assertArrayEquals(new double[12], grid.logOdds());
     }
 
     @Test
@@ -108,7 +130,7 @@ class GridTest {
         double oddsInv = pInv / (1.0 - pInv);
         double odds = odds0;
         for (int t = 1; t <= 30; t++) {
-            grid.updateCell(0, 0, grid.lFree);
+            grid.updateCell(0, 0, grid.lFree());
             odds *= oddsInv / odds0;
             double p = odds / (1.0 + odds);
             assertEquals(p, grid.probabilityGrid()[0], 1e-14);
@@ -122,64 +144,12 @@ class GridTest {
                 () -> new OccupancyGrid(spec, 0.5, 0.75, 0.3, 1.0, 2.0));
     }
 
-    /** updateLine is bresenham, clipRay and updateCell in one. */
-    private static void checkLine(OccupancyGrid grid, int gx0, int gy0,
-            int gx1, int gy1, double lUpdate) {
-        double[] before = grid.logOdds.clone();
-        for (Cell cell : Ray.bresenham(gx0, gy0, gx1, gy1)) {
-            grid.updateCell(cell.gx(), cell.gy(), lUpdate);
-        }
-        double[] expected = grid.logOdds.clone();
-        System.arraycopy(before, 0, grid.logOdds, 0, before.length);
-        Steps steps = Ray.clipRay(gx0, gy0, gx1, gy1, grid.spec.width(),
-                grid.spec.height());
-        grid.updateLine(gx0, gy0, gx1, gy1, steps.first(), steps.last(),
-                lUpdate);
-        if (!Arrays.equals(expected, grid.logOdds)) {
-            assertArrayEquals(expected, grid.logOdds, List
-                    .of(gx0, gy0, gx1, gy1).toString());
-        }
-    }
-
     @Test
-    void linesAreUpdatedCellByCell() {
-        Random random = new Random(1);
-        for (int i = 0; i < 200; i++) {
-            OccupancyGrid grid = grid(1 + random.nextInt(40),
-                    1 + random.nextInt(40));
-            for (int line = 0; line < 100; line++) {
-                checkLine(grid, random.nextInt(90) - 25,
-                        random.nextInt(90) - 25, random.nextInt(90) - 25,
-                        random.nextInt(90) - 25,
-                        random.nextInt(4) == 0 ? grid.lOcc : grid.lFree);
-            }
-        }
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {1, 466_667, 699_999, 1_399_999, 1_400_000})
-    void theLongestLinesAreExact(int b) {
-        int a = OccupancyGrid.LONGEST_LINE;
-        // windows where the fixed-point number has gone far
-        for (int back : new int[]{10, 100_000, a / 2, a - 10}) {
-            int gx = a - back;
-            int gy = (int) ((2L * gx * b + a - 1) / (2L * a));
-            OccupancyGrid grid = grid(60, 60);
-            checkLine(grid, -gx, -gy + 30, a - gx, b - gy + 30, grid.lFree);
-            checkLine(grid, gy - 30, gx, gy - 30 - b, gx - a, grid.lOcc);
-        }
-        assertThrows(IllegalArgumentException.class, () -> grid(9, 9)
-                .updateLine(0, 0, a + 1, b, 0, 5, 1.0));
-    }
-
-    /** The steps where rounding up comes closest to the next cell. */
-    @Test
-    void theFixedPointIsExact() {
-        OccupancyGrid grid = grid(OccupancyGrid.LONGEST_LINE + 1, 3);
-        int a = OccupancyGrid.LONGEST_LINE;
-        for (int b = 0; b <= 2; b++) {
-            checkLine(grid, 0, 0, a, b, grid.lFree);
-            checkLine(grid, a - 1, b, 0, 0, grid.lOcc);
+    void aGridHasCells() {
+        for (int[] size : new int[][]{{0, 1}, {1, 0}, {-5, 5},
+                {1 << 16, 1 << 15}}) {
+            assertThrows(IllegalArgumentException.class,
+                    () -> grid(size[0], size[1]));
         }
     }
 }

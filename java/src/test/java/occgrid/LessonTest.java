@@ -38,17 +38,17 @@ class LessonTest {
     @Test
     void theMapShowsTheRoom() {
         OccupancyGrid grid = map(OptionalLong.empty());
-        assertEquals(39_600, grid.logOdds.length);
+        assertEquals(39_600, grid.logOdds().length);
         // the left wall is seen, the middle of the room is free
         long walls = IntStream.range(20, 160)
-                .filter(gy -> grid.logOdds[gy * 220 + 10] > 0
-                        || grid.logOdds[gy * 220 + 9] > 0)
+                .filter(gy -> grid.logOdds(10, gy) > 0
+                        || grid.logOdds(9, gy) > 0)
                 .count();
         assertTrue(walls > 40, walls + " cells of the left wall");
         var robot = grid.worldToGrid(-6.0, 0.0);
-        assertTrue(grid.logOdds[robot.gy() * 220 + robot.gx()] < -3.0);
+        assertTrue(grid.logOdds(robot.gx(), robot.gy()) < -3.0);
         // nobody has seen the right half's far corner
-        assertEquals(0.0, grid.logOdds[39_599]);
+        assertEquals(0.0, grid.logOdds(219, 179));
     }
 
     @Test
@@ -61,15 +61,15 @@ class LessonTest {
                 assertEquals(Lesson.lessonSettings(), scenario.settings());
                 assertEquals(Lesson.lessonWorld(), scenario.walls());
                 OccupancyGrid grid = Mapper.mapScenario(scenario, seed);
-                assertTrue(Arrays.equals(map(seed).logOdds, grid.logOdds));
+                assertTrue(Arrays.equals(map(seed).logOdds(), grid.logOdds()));
             }
         }
     }
 
     @Test
     void noiseDependsOnTheSeedOnly() {
-        double[] first = map(OptionalLong.of(1)).logOdds;
-        assertTrue(Arrays.equals(first, map(OptionalLong.of(1)).logOdds));
-        assertTrue(!Arrays.equals(first, map(OptionalLong.of(2)).logOdds));
+        double[] first = map(OptionalLong.of(1)).logOdds();
+        assertTrue(Arrays.equals(first, map(OptionalLong.of(1)).logOdds()));
+        assertTrue(!Arrays.equals(first, map(OptionalLong.of(2)).logOdds()));
     }
 }

@@ -7,9 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,7 +45,8 @@ class MainTest {
     private int run(String... arguments) {
         out.reset();
         err.reset();
-        return Main.run(arguments, out, new PrintStream(err, true));
+        return Main.run(Stream.of(arguments).map(Argument::of).toList(), out,
+                err);
     }
 
     private String small(String name) throws IOException {
@@ -102,10 +104,12 @@ class MainTest {
     }
 
     @Test
-    void threadsDrawTheSameMap() throws IOException {
+    void everyWayDrawsTheSameMap() throws IOException {
         assertEquals(0, run());
         String one = out.toString();
         assertEquals(0, run("--threads", "2"));
+        assertEquals(one, out.toString());
+        assertEquals(0, run("--plain"));
         assertEquals(one, out.toString());
         String bad = Files.writeString(folder.resolve("bad.log"),
                 SMALL + "POSE 1 2\n").toString();
@@ -127,8 +131,9 @@ class MainTest {
         };
         for (String[] arguments : new String[][]{{}, {"--version"}}) {
             err.reset();
-            assertEquals(1, Main.run(arguments, full,
-                    new PrintStream(err, true)));
+            assertEquals(1, Main.run(
+                    Stream.of(arguments).map(Argument::of).toList(), full,
+                    err));
             assertEquals("standard output: cannot be written\n",
                     err.toString());
         }
@@ -142,28 +147,76 @@ class MainTest {
                 out.toString());
         assertEquals(0, run("x.log", "--help"));
         assertTrue(out.toString().startsWith("usage: occgrid [--noise-free |"
-                + " --seed N] [--out DIR]\n"));
+                + " --seed N] [--plain | --threads N]\n"));
+        // they act where they are read
+        assertEquals(0, run("--help", "--bogus"));
+        assertEquals(2, run("--bogus", "--help"));
+        assertEquals(2, run("--seed", "x", "--version"));
+        assertEquals(0, run("--seed", "1", "--noise-free", "--version"));
+        assertEquals(2, run("--out", "--help"));
     }
 
     @ParameterizedTest
     @CsvSource({"--plot, unknown option --plot", "-x, unknown option -x",
+            "-, unknown option -", "--, unknown option --",
+            "-5, unknown option -5", "--seed=7, unknown option --seed=7",
             "--seed, --seed needs a value", "--out, --out needs a value",
             "--seed --out, --seed needs a value",
+            "--out --noise-free a.log, --out needs a value",
             "--seed 1.5, 'needs a whole number from 0 to 4294967295'",
             "--seed 4294967296, 'not ''4294967296'''",
             "--seed 99999999999999999999, not",
-            "--seed +1, 'not ''+1'''",
+            "--seed +1, 'not ''+1'''", "--seed -1, 'not ''-1'''",
             "--threads, --threads needs a value",
             "--threads 0, 'from 1 to 256, not ''0'''",
             "--threads 257, 'not ''257'''", "--threads x, 'not ''x'''",
-            "--threads -1, --threads needs a value",
+            "--threads -1, 'not ''-1'''",
+            "--plain --threads 1, exclude each other",
             "--seed 1 --noise-free, exclude each other",
             "a.log b.log, several scenarios need --out",
-            "--out o x/a.log y/a.txt, two scenarios are named a"})
+            "--out o x/a.log y/a.txt, two scenarios are named a",
+            "--out o a.log a.log/, two scenarios are named a"})
     void badUsage(String arguments, String reason) {
         assertEquals(2, run(arguments.split(" ")));
         assertTrue(err.toString().contains(reason), err.toString());
         assertTrue(err.toString().contains("usage: occgrid"));
         assertEquals("", out.toString());
+    }
+
+    @Test
+    void anEmptyValueIsMissing() {
+        assertEquals(2, run("--out", ""));
+        assertTrue(err.toString()
+                .startsWith("occgrid: --out needs a value\nusage:"));
+        assertEquals(2, run("--seed", ""));
+        assertEquals(1, run(""));
+        assertEquals(":0: cannot be read\n", err.toString());
+    }
+
+    @Test
+    void seedsInDigits() {
+        assertEquals(0, run("--seed", "7"));
+        String seven = out.toString();
+        assertEquals(0, run("--seed", "00000000000000000007"));
+        assertEquals(seven, out.toString());
+    }
+
+    @Test
+    void foldersCannotBeRead() throws IOException {
+        String file = small("a.log") + "/";
+        for (String path : List.of(file, folder + "/", folder + "")) {
+            assertEquals(1, run("--out", folder + "/o", path));
+            assertEquals(path + ":0: cannot be read\n", err.toString());
+        }
+        assertFalse(Files.exists(folder.resolve("o")));
+    }
+
+    @Test
+    void messagesAreOneLine() {
+        assertEquals(1, run("a\n\tb\u007f.log"));
+        assertEquals("a??b?.log:0: cannot be read\n", err.toString());
+        assertEquals(2, run("--a\nb"));
+        assertTrue(err.toString()
+                .startsWith("occgrid: unknown option --a?b\nusage:"));
     }
 }

@@ -1,28 +1,23 @@
 package occgrid;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.Random;
-import java.util.stream.Stream;
 import occgrid.Grid.GridSpec;
 import occgrid.Grid.OccupancyGrid;
-import occgrid.MapWriter.WriteException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class MapWriterTest {
-    @TempDir
-    private Path folder;
     private final Locale locale = Locale.getDefault();
 
     /** No locale shows in the files. */
@@ -65,8 +60,10 @@ class MapWriterTest {
     @Test
     void pgm() throws IOException {
         OccupancyGrid grid = grid(0.1, 0.0, 0.0);
-        grid.logOdds[0] = 8.0;
-        grid.logOdds[5] = -8.0;
+        for (int i = 0; i < 20; i++) {
+            grid.updateCell(0, 0, grid.lOcc());
+            grid.updateCell(2, 1, grid.lFree());
+        }
         assertEquals("P2\n3 2\n255\n128 128 255\n0 128 128\n",
                 text(out -> MapWriter.mapPgm(grid, out)));
     }
@@ -74,26 +71,32 @@ class MapWriterTest {
     @Test
     void logOdds() throws IOException {
         OccupancyGrid grid = grid(0.1, 0.0, 0.0);
-        grid.logOdds[0] = 8.0;
-        grid.logOdds[5] = -0.1;
-        assertEquals("# logodds 3 2\n8.0 0.0 0.0\n0.0 0.0 -0.1\n",
+        for (int i = 0; i < 20; i++) {
+            grid.updateCell(0, 0, grid.lOcc());
+        }
+        grid.updateCell(2, 1, grid.lFree());
+        assertEquals("# logodds 3 2\n8.0 0.0 0.0\n0.0 0.0 "
+                + grid.lFree() + "\n",
                 text(out -> MapWriter.mapLogOdds(grid, out)));
     }
 
     @Test
     void logOddsReadBack() throws IOException {
         Random random = new Random(4);
-        OccupancyGrid grid = grid(0.1, 0.0, 0.0);
         for (int i = 0; i < 1000; i++) {
+            OccupancyGrid grid = new OccupancyGrid(
+                    new GridSpec(3, 2, 0.1, 0.0, 0.0), 0.5, 0.75, 0.30,
+                    -30.0, 30.0);
             for (int cell = 0; cell < 6; cell++) {
-                grid.logOdds[cell] = random.nextGaussian()
-                        * (i % 2 == 0 ? 8.0 : 1e-9);
+                grid.updateCell(cell % 3, cell / 3, random.nextGaussian()
+                        * (i % 2 == 0 ? 8.0 : 1e-9));
             }
             String[] fields = text(out -> MapWriter.mapLogOdds(grid, out))
                     .split("\\s+");
             for (int cell = 0; cell < 6; cell++) {
                 String field = fields[4 + cell];
-                assertEquals(grid.logOdds[cell], Double.parseDouble(field));
+                assertEquals(grid.logOdds(cell % 3, cell / 3),
+                        Double.parseDouble(field));
                 String digits = field.replaceAll("E.*|[-.]", "")
                         .replaceAll("^0+", "");
                 assertTrue(digits.length() <= 17, field);
@@ -123,51 +126,55 @@ class MapWriterTest {
                 "resolution: 0.05\norigin: [0.0, 123456.7890125, 0.0]"));
     }
 
-    private List<String> names(Path where) throws IOException {
-        try (Stream<Path> files = Files.list(where)) {
-            return files.map(file -> file.getFileName().toString()).sorted()
-                    .toList();
+    private static String[] thresholds(double p0) throws IOException {
+        GridSpec spec = new GridSpec(1, 1, 1.0, 0.0, 0.0);
+        OccupancyGrid grid = new OccupancyGrid(spec, p0, 0.75, 0.3, -30, 30);
+        String[] lines = text(out -> MapWriter.mapYaml(grid, "a", out))
+                .split("\n");
+        return new String[]{lines[5].replace("occupied_thresh: ", ""),
+                lines[6].replace("free_thresh: ", "")};
+    }
+
+    /** Whatever the prior is, a cell that nothing touched is unknown. */
+    @Test
+    void thresholdsFollowThePrior() throws IOException {
+        assertArrayEquals(new String[]{"0.65", "0.196"}, thresholds(0.5));
+        // odds 7/3 and 13/7: 91/21 of 112/21; 49/201: 343/603 of 946/603
+        assertArrayEquals(new String[]{"0.8125", "0.362579281"},
+                thresholds(0.7));
+        assertArrayEquals(new String[]{"1.0", "0.998039216"},
+                thresholds(1.0 - 1e-9));
+        assertArrayEquals(new String[]{"0.001960784", "0.0"},
+                thresholds(1e-9));
+        for (int i = 1; i < 1000; i++) {
+            double p0 = i / 1000.0;
+            double seen = (255 - MapWriter.pixel(Grid.logit(p0))) / 255.0;
+            String[] found = thresholds(p0);
+            // readers: occupied above the one, free below the other
+            assertFalse(seen > Double.parseDouble(found[0]), "p0 " + p0);
+            assertFalse(seen < Double.parseDouble(found[1]), "p0 " + p0);
         }
     }
 
-    @Test
-    void threeFilesAreWritten() throws IOException {
-        Path out = folder.resolve("a/b");
-        MapWriter.writeMap(out, "room", grid(0.1, 0.0, 0.0));
-        MapWriter.writeMap(out, "room", grid(0.2, 0.0, 0.0));
-        assertEquals(List.of("room.logodds", "room.pgm", "room.yaml"),
-                names(out));
-        assertTrue(Files.readString(out.resolve("room.yaml"))
-                .contains("image: room.pgm\nmode: trinary\nresolution: 0.2"));
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
+            "run-2_b.log.pgm | run-2_b.log.pgm", "1.pgm | 1.pgm",
+            "run #2.pgm | \"run #2.pgm\"", "lab: x.pgm | \"lab: x.pgm\"",
+            "[x].pgm | \"[x].pgm\"", "@x.pgm | \"@x.pgm\"",
+            "'q'.pgm | \"'q'.pgm\"", "%x.pgm | \"%x.pgm\"",
+            "- x.pgm | \"- x.pgm\"", "-x.pgm | \"-x.pgm\"",
+            ".x.pgm | \".x.pgm\"", "a\"b\\c.pgm | \"a\\\"b\\\\c.pgm\""})
+    void namesAreQuotedWhereYamlNeedsIt(String name, String written)
+            throws IOException {
+        assertEquals("image: " + written, text(out -> MapWriter
+                .mapYaml(grid(1, 0, 0), name, out)).split("\n")[0]);
     }
 
     @Test
-    void aLinkToAFolderIsAFolder() throws IOException {
-        Path real = Files.createDirectory(folder.resolve("real"));
-        Path link = Files.createSymbolicLink(folder.resolve("link"), real);
-        MapWriter.writeMap(link, "room", grid(0.1, 0.0, 0.0));
-        assertEquals(3, names(real).size());
-    }
-
-    @Test
-    void nothingIsLeftWhereAFileCannotBeWritten() throws IOException {
-        Path taken = Files.createDirectories(folder.resolve("x.yaml/full"));
-        WriteException error = assertThrows(WriteException.class,
-                () -> MapWriter.writeMap(folder, "x", grid(0.1, 0, 0)));
-        assertEquals(folder.resolve("x.yaml") + ": cannot be written",
-                error.getMessage());
-        assertTrue(Files.exists(taken));
-        assertEquals(List.of(), names(folder).stream()
-                .filter(name -> name.endsWith(".part")).toList());
-    }
-
-    @Test
-    void theFolderIsNamedWhereItCannotBeMade() throws IOException {
-        Path file = Files.writeString(folder.resolve("file"), "");
-        for (Path out : List.of(file, file.resolve("a/b"))) {
-            WriteException error = assertThrows(WriteException.class,
-                    () -> MapWriter.writeMap(out, "x", grid(0.1, 0, 0)));
-            assertEquals(out + ": cannot be written", error.getMessage());
-        }
+    void controlCharactersAreEscaped() throws IOException {
+        assertEquals("image: \"a\\x01\\x7F\\x0A\\x1F.pgm\"",
+                text(out -> MapWriter.mapYaml(grid(1, 0, 0),
+                        "a\u0001\u007f\n\u001f.pgm", out))
+                        .split("\n")[0]);
     }
 }

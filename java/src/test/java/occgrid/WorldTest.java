@@ -58,7 +58,7 @@ class WorldTest {
                 World.addVerticalWall(3.0, -9, 9),
                 World.addVerticalWall(5.0, -9, 9),
                 World.addHorizontalWall(10.0, -9, 9));
-        double[] angles = {0.0, Sensor.PI / 2.0, Sensor.PI, 0.1};
+        double[] angles = {0.0, PortableMath.PI / 2.0, PortableMath.PI, 0.1};
         double[] ranges = World.simulateLidarScan(new Pose(0.0, 0.0, 0.0),
                 walls, angles, 7.0);
         assertArrayEquals(new double[]{3.0, 7.0, 7.0,
