@@ -242,9 +242,9 @@ classdef fast
             dy = abs(gy1 - gy0);
             sx = 2 .* (gx0 < gx1) - 1;
             sy = 2 .* (gy0 < gy1) - 1;
-            a = max(dx, dy);
+            a = max(max(dx, dy), 1);
             b = min(dx, dy);
-            minor = floor((2 .* k .* b + (a - 1)) ./ (2 .* max(a, 1)));
+            minor = floor((2 .* k .* b + (a - 1)) ./ (2 .* a));
             along_x = dx >= dy;
             gx = gx0 + (sx .* along_x) .* k + (sx .* ~along_x) .* minor;
             gy = gy0 + (sy .* ~along_x) .* k + (sy .* along_x) .* minor;

@@ -24,9 +24,9 @@ classdef ray
                 error('occgrid:ray', 'a line of more than 2^20 steps');
             end
             k = (0:a)';
-            % exact: every number here is whole and below 2^53; a line of
-            % one cell has only step 0, and 0 / 0 is avoided
-            minor = floor((2 .* k .* b + a - 1) ./ (2 .* max(a, 1)));
+            a = max(a, 1); % a line of one cell has step 0 only
+            % exact: every number here is whole and below 2^53
+            minor = floor((2 .* k .* b + a - 1) ./ (2 .* a));
             if dx >= dy
                 gx = gx0 + sx .* k;
                 gy = gy0 + sy .* minor;

@@ -150,7 +150,7 @@ classdef scenario
                             % it belongs to another program
                     end
                 end
-                before = before + numel(c.first);
+                before = before + numel(c.last);
             end
             if n == 0
                 occgrid.scenario.fail(file, before, 'no scan');
