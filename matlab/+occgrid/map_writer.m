@@ -133,8 +133,7 @@ classdef map_writer
             write(@(text) occgrid.map_writer.put(id, path, text));
             bytes = ftell(id);
             clear closes;
-            % Octave notices a failure when its buffer runs over, but not
-            % when that is emptied at last; so the file is looked at
+            % what was still in the buffer shows in the file's size only
             if occgrid.files.size_of(beside) ~= bytes
                 occgrid.map_writer.fail(path);
             end
@@ -175,8 +174,11 @@ classdef map_writer
     methods (Static, Access = private)
 
         function put(id, path, text)
-            % write a piece of text to an open file
-            if fprintf(id, '%s', text) < numel(text)
+            % write a piece of text to an open file; where the disk is full
+            % Octave's fprintf counts all of it, but the position stays
+            before = ftell(id);
+            bytes = fprintf(id, '%s', text);
+            if bytes < numel(text) || ftell(id) ~= before + bytes
                 occgrid.map_writer.fail(path);
             end
         end
