@@ -42,7 +42,7 @@ shift
 case $verb in
     occgrid) octave=$here/occgrid_cli.m ;;
     probe) octave=$here/tests/run_probe.m ;;
-    check) octave=$here/matlab_check.m ;;
+    check) octave=$here/tests/run_check.m ;;
     *) echo "usage: sh matlab.sh occgrid|probe|check [ARGUMENT...]" >&2
        exit 2 ;;
 esac

@@ -152,8 +152,8 @@ classdef files
                     old = ~isempty(found) && found.modestr(1) == '-' && ...
                         time() - found.mtime > 24 * 60 * 60;
                 else
-                    old = ~listed(i).isdir && now - listed(i).datenum > 1; ...
-                        %#ok<TNOW1>
+                    old = ~listed(i).isdir && ...
+                        now() - listed(i).datenum > 1; %#ok<TNOW1>
                 end
                 if old
                     occgrid.files.remove({path});

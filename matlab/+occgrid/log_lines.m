@@ -100,7 +100,7 @@ classdef log_lines
         end
 
         function v = values(text, c, f, g)
-            % VALUES  The fields after the keyword, up to one that begins with #.
+            % VALUES  The fields after the keyword, up to a comment.
             v = cell(1, g - f);
             for i = 1:g - f
                 v{i} = text(c.starts(f + i):c.ends(f + i));

@@ -48,7 +48,9 @@ function map_one(s, options)
     if options.plain
         grid = occgrid.mapper.map_scenario(s, options.seed);
     else
-        grid = occgrid.fast.map_scenario_fast(s, options.seed);
+        started = tic;
+        grid = occgrid.fast.map_scenario_fast(s, options.seed, @(done) ...
+            show_progress(s.name, done, numel(s.scans), toc(started)));
     end
     if ~ischar(options.out)
         occgrid.map_writer.print_out( ...
@@ -58,6 +60,35 @@ function map_one(s, options)
     end
     if ischar(options.plot)
         occgrid.picture.draw_map(grid, options.plot);
+    end
+end
+
+function show_progress(name, done, scans, seconds)
+    % on standard error, how long a long log still takes: on a terminal
+    % after two seconds, on one line that is cleared at the end; elsewhere a
+    % line after ten seconds, and then each minute
+    persistent next terminal
+    if seconds < 2
+        next = [];
+        return
+    elseif isempty(next)
+        % only Octave's system has this process's own standard error
+        terminal = exist('OCTAVE_VERSION', 'builtin') && ~ispc && ...
+            system('test -t 2') == 0;
+        next = 2 + 8 * ~terminal;
+    end
+    if terminal && done == scans
+        fprintf(2, '\r\033[K');
+    elseif done < scans && seconds >= next
+        text = sprintf('%s: %.0f %% mapped, about %.0f s to go', ...
+                       occgrid.files.shown(name), 100 * done / scans, ...
+                       seconds * (scans - done) / done);
+        if terminal
+            fprintf(2, '\r\033[K%s', text);
+        else
+            fprintf(2, '%s\n', text);
+        end
+        next = seconds + 1 + 59 * ~terminal;
     end
 end
 

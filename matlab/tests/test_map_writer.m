@@ -30,7 +30,8 @@ function text = log_odds_of(map)
 end
 
 function pixels()
-    same(occgrid.map_writer.pixel(small_map().log_odds), [128, 0, 255; 121, 134, 47]);
+    same(occgrid.map_writer.pixel(small_map().log_odds), ...
+        [128, 0, 255; 121, 134, 47]);
 end
 
 function pgm()
