@@ -62,9 +62,8 @@ classdef fast
 
         function k = first_step(m, a, b)
             % the first step that has gone m cells along the shorter axis;
-            % a + 1 where none does. (min keeps a product below 2^53 where
-            % the robot is far from the grid.)
-            m = min(m, b + 1);
+            % a + 1 where none does. (Products above 2^53, of a robot far
+            % from the grid, are not exact: they are among the latter.)
             k = ceil((2 .* a .* m - a + 1) ./ max(2 .* b, 1));
             k(m > b) = a(m > b) + 1;
             k(m <= 0) = 0;

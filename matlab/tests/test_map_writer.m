@@ -202,6 +202,15 @@ function odd_names()
     end
     same(read_file(other), 'must stay');
     same(numel(readdir_of(fullfile(folder, 'd'))), numel(names));
+    if exist('OCTAVE_VERSION', 'builtin')
+        % Octave would put root's home folder here
+        path = [folder, '/x ~root'];
+        raises(@() occgrid.map_writer.write_map(path, 'm', small_map()), ...
+            'occgrid:output', [path, ': cannot be written']);
+        path = [path, '/a.log'];
+        raises(@() occgrid.scenario.read_scenario(path), ...
+            'occgrid:scenario', [path, ':0: cannot be read']);
+    end
 end
 
 function names = readdir_of(folder)
