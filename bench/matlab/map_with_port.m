@@ -4,14 +4,18 @@ function log_odds = map_with_port(work, batch)
         work.width, work.height, work.resolution, ...
         work.origin_x, work.origin_y);
     map = occgrid.grid.occupancy_grid(spec, 0.5, 0.75, 0.30, -8, 8);
-    scan.angles = work.angles;
-    scans = size(work.poses, 1);
-    for first = 1:batch:scans
-        numbers = first:min(first + batch - 1, scans);
-        scan.pose = work.poses(numbers, :);
-        scan.ranges = work.ranges(:, numbers);
-        map = occgrid.sensor.update_grid_from_scan( ...
-            map, scan, work.max_range, 'free');
+    count = size(work.poses, 1);
+    scans = cell(1, count);
+    for i = 1:count
+        pose = occgrid.world.pose( ...
+            work.poses(i, 1), work.poses(i, 2), work.poses(i, 3));
+        scans{i} = occgrid.sensor.scan(pose, work.angles, work.ranges(:, i));
+    end
+    scans = [scans{:}];
+    for first = 1:batch:count
+        numbers = first:min(first + batch - 1, count);
+        map = occgrid.fast.update_grid_from_scans( ...
+            map, scans(numbers), work.max_range, 'free');
     end
     log_odds = map.log_odds;
 end

@@ -19,6 +19,7 @@ classdef lesson
             settings.origin_x = -11;
             settings.origin_y = -9;
             settings.max_range = 10;
+            settings.min_range = 0;
             settings.p0 = 0.5;
             settings.p_occ = 0.75;
             settings.p_free = 0.30;
@@ -45,24 +46,29 @@ classdef lesson
         % [snippet: lesson-poses]
         function poses = lesson_poses()
             % LESSON_POSES  120 poses on an ellipse, heading along it.
-            t = (0:119)';
-            ang = (2 .* pi) .* (t ./ 120);
+            %
+            %   Side by side: x, y and theta are rows (1, 120).
+            t = 0:119;
+            ang = (2.0 .* pi) .* (t ./ 120);
             x = -6 + 6 .* occgrid.portable_math.cos(ang);
             y = 0 + 4 .* occgrid.portable_math.sin(ang);
-            poses = [x, y, ang + pi ./ 2];
+            poses = occgrid.world.pose(x, y, ang + pi ./ 2);
         end
 
         % [/snippet]
 
         function s = lesson_scenario()
             % LESSON_SCENARIO  The lesson as a scenario, named lesson.
-            s.name = 'lesson';
-            s.settings = occgrid.lesson.lesson_settings();
-            s.walls = occgrid.lesson.lesson_world();
-            s.poses = occgrid.lesson.lesson_poses();
-            s.bearings = zeros(120, 1);
-            s.angles = {};
-            s.ranges = cell(120, 1);
+            poses = occgrid.lesson.lesson_poses();
+            scans = cell(1, numel(poses.x));
+            for i = 1:numel(scans)
+                pose = occgrid.world.pose( ...
+                    poses.x(i), poses.y(i), poses.theta(i));
+                scans{i} = occgrid.sensor.scan(pose, [], []);
+            end
+            s = occgrid.scenario.new_scenario( ...
+                'lesson', occgrid.lesson.lesson_settings(), ...
+                occgrid.lesson.lesson_world(), [scans{:}]);
         end
 
     end

@@ -63,7 +63,7 @@ classdef noise
             u1 = (words(1, :) + 0.5) ./ 4294967296;
             u2 = (words(2, :) + 0.5) ./ 4294967296;
             radius = sqrt(-2 .* occgrid.portable_math.log(u1));
-            n = radius .* occgrid.portable_math.cos((2 .* pi) .* u2);
+            n = radius .* occgrid.portable_math.cos((2.0 .* pi) .* u2);
             n = reshape(n, size(beam));
         end
 
@@ -73,9 +73,9 @@ classdef noise
         function ranges = add_range_noise(ranges, noise_std, seed, scan, z_max)
             % ADD_RANGE_NOISE  Simulated ranges with noise, in [0, z_max].
             %
-            %   ranges: (beams, scans) metres; scan: (1, scans) their numbers
-            %   from 0. A beam that met no wall gets noise too, as in the
-            %   lesson (6.1).
+            %   ranges: (n, 1) metres, or (n, m) for m scans side by side;
+            %   scan: their numbers from 0, (1, m). A beam that met no wall
+            %   gets noise too, as in the lesson (6.1).
             beam = (0:size(ranges, 1) - 1)';
             scan = repmat(scan, size(ranges, 1), 1);
             beam = repmat(beam, 1, size(ranges, 2));

@@ -1,16 +1,18 @@
 classdef picture
     % PICTURE  The lesson's picture (lesson section 6.4).
     %
-    %   occgrid.picture.draw_map(map, file)
+    %   occgrid.picture.draw_map(grid, file)
     %
     %   P(occupied) in colour, a colour bar, axes in metres.
 
     methods (Static)
 
-        function draw_map(map, file)
+        function draw_map(grid, file)
             % DRAW_MAP  Draw the map into a PNG file; needs no display.
             %
-            %   Raises occgrid:output.
+            %   Raises occgrid:output, with the message FILE: cannot be
+            %   written.
+            file = char(file);
             if exist('OCTAVE_VERSION', 'builtin')
                 % the other toolkits want a display or OpenGL; Octave
                 % warns that it is old
@@ -20,29 +22,37 @@ classdef picture
             end
             fig = figure('Visible', 'off');
             closes = onCleanup(@() close(fig));
-            spec = map.spec;
+            spec = grid.spec;
             [x, y] = occgrid.grid.grid_to_world_center( ...
-                map, [0, spec.width - 1], [0, spec.height - 1]);
-            imagesc(x, y, occgrid.grid.probability_grid(map));
+                grid, [0, spec.width - 1], [0, spec.height - 1]);
+            imagesc(x, y, occgrid.grid.probability_grid(grid));
             axis('image');
-            set(gca, 'YDir', 'normal');
-            caxis([0, 1]);
+            set(gca, 'YDir', 'normal', 'CLim', [0, 1]);
             bar_ = colorbar();
             ylabel(bar_, 'P(occupied)');
             title('Occupancy Grid Map (probability)');
             xlabel('x [m]');
             ylabel('y [m]');
 
-            path = occgrid.scenario.absolute(file);
-            beside = [path, '.part.png'];
-            id = fopen(beside, 'w'); % print would say more than one line
-            if id < 0
+            % first under a name that gnuplot understands, wherever the
+            % picture is to stand
+            drawn = [tempname(), '.png'];
+            folder = fileparts(occgrid.files.absolute(file));
+            beside = [folder, '/', occgrid.files.temporary_name()];
+            removes = onCleanup(@() occgrid.files.remove({drawn, beside}));
+            print(fig, drawn, '-dpng', '-r150');
+            id = fopen(drawn, 'r');
+            bytes = fread(id, [1, Inf], '*uint8');
+            fclose(id);
+            id = occgrid.files.open(beside, 'w');
+            if id >= 0
+                fwrite(id, bytes, 'uint8');
+                fclose(id);
+            end
+            if occgrid.files.size_of(beside) ~= numel(bytes) || ...
+                    ~occgrid.files.rename(beside, file)
                 occgrid.map_writer.fail(file);
             end
-            fclose(id);
-            removes = onCleanup(@() occgrid.map_writer.remove({beside}));
-            print(fig, beside, '-dpng', '-r150');
-            occgrid.map_writer.rename_file(beside, path);
         end
 
     end

@@ -11,6 +11,9 @@ classdef portable_math
     %   them down. The built-in functions are the platform's own, with other
     %   last bits on other machines.
     %
+    %   pi needs no definition here: the built-in pi is the double nearest to
+    %   the number, 0x400921FB54442D18.
+    %
     %   All four take an array of any shape, accept every double, and return
     %   an array of that shape.
 
@@ -302,7 +305,7 @@ classdef portable_math
         end
 
         function [n, y0, y1] = reduce_huge(x, jz)
-            % rem_pio2 for |x| above 2^19*pi/2 (Payne and Hanek's method):
+            % rem_pio2 for |x| above 2^20*pi/2 (Payne and Hanek's method):
             % only those digits of 2/pi are multiplied that matter for the
             % fraction of x*2/pi. jz: the number of its digits, 4 or, for an
             % x very close to a multiple of pi/2, more.

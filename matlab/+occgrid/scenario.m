@@ -1,72 +1,64 @@
 classdef scenario
     % SCENARIO  Reading a scenario: a CARMEN log with PARAM, WALL, POSE lines.
     %
+    %   grid = occgrid.scenario.new_grid(settings)
+    %   s = occgrid.scenario.new_scenario(name, settings, walls, scans)
     %   s = occgrid.scenario.read_scenario(file)
     %   name = occgrid.scenario.scenario_name(file)
-    %   map = occgrid.scenario.new_grid(s.settings)
     %
-    %   SPEC.md sections 5 and 8. A scenario is a struct:
-    %
-    %   name      the file's name without folder and ending
-    %   settings  what the PARAM lines set: metres, radians, probabilities,
-    %             log-odds; the names are those of SPEC.md section 5.2
-    %   walls     (w, 4): x0, y0, x1, y1, metres
-    %   poses     (m, 3): x, y, theta of each scan, metres and radians
-    %   bearings  (m, 1): 0 for a simulated scan; for a recorded one the
-    %             number of its bearings among
-    %   angles    cell array of bearings (n, 1), radians
-    %   ranges    cell array (m, 1) of ranges (n, 1), metres, NaN and infinity
-    %             among them; empty for a simulated scan
+    %   SPEC.md sections 5 and 8. settings is a struct with the names of
+    %   SPEC.md section 5.2: width, height, resolution and so on; metres,
+    %   radians, probabilities, log-odds.
 
     methods (Static)
+
+        function grid = new_grid(settings)
+            % NEW_GRID  An empty grid.
+            spec = occgrid.grid.grid_spec( ...
+                settings.width, settings.height, settings.resolution, ...
+                settings.origin_x, settings.origin_y);
+            grid = occgrid.grid.occupancy_grid( ...
+                spec, settings.p0, settings.p_occ, settings.p_free, ...
+                settings.l_min, settings.l_max);
+        end
+
+        function s = new_scenario(name, settings, walls, scans)
+            % NEW_SCENARIO  What there is to map; a value, to be mapped at will.
+            %
+            %   walls: (w, 1) struct array (see occgrid.world.segment); scans:
+            %   (1, m) struct array (see occgrid.sensor.scan). The angles and
+            %   ranges of a bare pose, which is to be simulated, are [].
+            s.name = name;
+            s.settings = settings;
+            s.walls = walls;
+            s.scans = scans;
+        end
 
         function s = read_scenario(file)
             % READ_SCENARIO  Read a scenario file.
             %
             %   Raises occgrid:scenario, with the message FILE:LINE: REASON,
             %   for the first line that breaks a rule.
-            id = -1;
-            if ~isfolder(file)
-                id = fopen(occgrid.scenario.absolute(file), 'r');
-            end
+            file = char(file);
+            id = occgrid.files.open(file, 'r');
             if id < 0
                 occgrid.scenario.fail(file, 0, 'cannot be read');
             end
             closes = onCleanup(@() fclose(id));
             s = occgrid.scenario.read_lines(file, id);
-            s.name = occgrid.scenario.scenario_name(file);
         end
 
         function name = scenario_name(file)
             % SCENARIO_NAME  A file's name without folder and ending.
-            slash = [0, find(file == '/' | (ispc & file == '\'))];
+            file = char(file);
+            slash = file == '/' | (ispc & file == '\');
+            file = file(1:max([find(~slash, 1, 'last'), 0]));
+            slash = [0, find(slash(1:numel(file)))];
             name = file(slash(end) + 1:end);
             dot = find(name == '.', 1, 'last');
             if ~isempty(dot) && dot > 1
                 name = name(1:dot - 1);
             end
-        end
-
-        function path = absolute(file)
-            % ABSOLUTE  A file's path from the root.
-            %
-            %   fopen looks for other names along the search path, too.
-            if strncmp(file, '/', 1) || strncmp(file, filesep, 1) || ...
-                    (ispc && numel(file) > 1 && file(2) == ':')
-                path = file;
-            else
-                path = fullfile(pwd, file);
-            end
-        end
-
-        function map = new_grid(settings)
-            % NEW_GRID  An empty map.
-            spec = occgrid.grid.grid_spec( ...
-                settings.width, settings.height, settings.resolution, ...
-                settings.origin_x, settings.origin_y);
-            map = occgrid.grid.occupancy_grid( ...
-                spec, settings.p0, settings.p_occ, settings.p_free, ...
-                settings.l_min, settings.l_max);
         end
 
     end
@@ -75,29 +67,23 @@ classdef scenario
 
         function s = read_lines(file, id)
             % all lines of an open file
-            given = struct(); % what PARAM lines said
-            lines = struct(); % the line that said so
-            s = struct('name', '', 'settings', [], 'walls', zeros(0, 4));
+            given = struct(); % what PARAM lines gave
+            lines = struct(); % the line that gave it
+            settings = [];
             walls = {};
             angles = {};
-            keys = zeros(0, 4); % what tells the elements of angles apart
-            poses = zeros(1024, 3);
-            bearings = zeros(1024, 1);
-            ranges = cell(1024, 1);
-            scans = 0;
+            keys = zeros(0, 4); % what distinguishes the elements of angles
+            scans = cell(3, 1024); % pose, angles, ranges of each
+            n = 0; % scans so far
             before = 0; % lines in earlier chunks
             rest = '';
-            listed = dir(occgrid.scenario.absolute(file));
-            [~, name, ending] = fileparts(file);
-            listed = listed(strcmp({listed.name}, [name, ending])); % no * or ?
-            bytes = sum([listed.bytes]); % 0 for a pipe
-            while true
-                [text, rest] = occgrid.scenario.next_lines( ...
-                    file, id, bytes, before, rest);
-                if isempty(text)
-                    break
+            ended = false;
+            while ~ended
+                [text, rest, ended] = occgrid.log_lines.next_lines(id, rest);
+                if ended && ~occgrid.files.read_to_end(file, id)
+                    occgrid.scenario.fail(file, before, 'cannot be read');
                 end
-                c = occgrid.scenario.fields(text);
+                c = occgrid.log_lines.fields(text);
                 for i = c.candidates
                     line = before + i;
                     if c.not_plain(i)
@@ -112,23 +98,21 @@ classdef scenario
                             sprintf('''%s'' is not a keyword', keyword));
                     end
                     if any(strcmp(keyword, {'POSE', 'FLASER', 'ROBOTLASER1'}))
-                        if scans == 0
-                            s.settings = occgrid.scenario.check_settings( ...
+                        if n == 0
+                            settings = occgrid.scenario.check_settings( ...
                                 file, line, given, lines);
                         end
-                        scans = scans + 1;
-                        if scans > numel(bearings)
-                            poses(2 * scans, :) = 0;
-                            bearings(2 * scans) = 0;
-                            ranges{2 * scans} = [];
+                        n = n + 1;
+                        if n > size(scans, 2)
+                            scans{1, 2 * n} = [];
                         end
                     end
                     switch keyword
                         case {'PARAM', 'WALL'}
-                            values = occgrid.scenario.values(text, c, f, g);
+                            values = occgrid.log_lines.values(text, c, f, g);
                             ours = keyword(1) == 'W' || ~isempty(values) && ...
                                 strncmp(values{1}, 'occgrid_', 8);
-                            if ours && scans > 0
+                            if ours && n > 0
                                 occgrid.scenario.fail(file, line, ...
                                     [keyword, ' must stand before ' ...
                                      'the first scan']);
@@ -143,14 +127,13 @@ classdef scenario
                                 lines.(name) = line;
                             end
                         case 'POSE'
-                            values = occgrid.scenario.values(text, c, f, g);
-                            poses(scans, :) = occgrid.scenario.pose( ...
+                            values = occgrid.log_lines.values(text, c, f, g);
+                            scans{1, n} = occgrid.scenario.pose( ...
                                 file, line, values);
                         case {'FLASER', 'ROBOTLASER1'}
-                            [r, pose, key] = occgrid.scenario.scan( ...
+                            [ranges, pose, key] = occgrid.scenario.scan( ...
                                 file, line, text, c, f, g);
-                            ranges{scans} = r;
-                            poses(scans, :) = pose;
+                            ranges(ranges < settings.min_range) = NaN;
                             same = find(all(keys == key, 2), 1);
                             if isempty(same)
                                 keys = [keys; key]; %#ok<AGROW>
@@ -162,130 +145,29 @@ classdef scenario
                                 end
                                 angles{same} = a; %#ok<AGROW>
                             end
-                            bearings(scans) = same;
+                            scans(:, n) = {pose; angles{same}; ranges};
                         otherwise
                             % it belongs to another program
                     end
                 end
-                before = before + numel(c.first);
+                before = before + numel(c.last);
             end
-            if scans == 0
+            if n == 0
                 occgrid.scenario.fail(file, before, 'no scan');
             end
-            s.walls = [s.walls; vertcat(walls{:})];
-            s.poses = poses(1:scans, :);
-            s.bearings = bearings(1:scans);
-            s.angles = angles;
-            s.ranges = ranges(1:scans);
-        end
-
-        % --- lines and fields ---
-
-        function [text, rest] = next_lines(file, id, bytes, before, rest)
-            % some whole lines, each with its LF; empty at the end of the
-            % file. rest is what was read beyond them, bytes the size of the
-            % file, before the number of lines read. (fgetl is not used:
-            % Octave's takes a single CR for the end of a line.)
-            parts = {rest};
-            size_ = 65536;
-            while true
-                text = fread(id, [1, size_], 'uint8=>char');
-                parts{end + 1} = text; %#ok<AGROW>
-                last = find(text == newline, 1, 'last');
-                if isempty(text)
-                    text = [parts{:}];
-                    rest = '';
-                    if max(ftell(id), 0) < bytes % nothing else tells it
-                        occgrid.scenario.fail(file, before, 'cannot be read');
-                    end
-                    if ~isempty(text)
-                        text(end + 1) = newline;
-                    end
-                    return
-                elseif ~isempty(last)
-                    rest = text(last + 1:end);
-                    parts{end} = text(1:last);
-                    text = [parts{:}];
-                    return
-                end
-                size_ = 2 * size_; % a very long line
-            end
-        end
-
-        function c = fields(text)
-            % where the fields of whole lines are, and what is odd in them
-            %
-            %   first, last   per line: its fields; none where last < first
-            %   not_plain     per line: has a byte that is not plain ASCII
-            %   candidates    the lines to look at: neither blank nor comment,
-            %                 and wrong or with a keyword that may be ours
-            %   starts, ends  per field: its place in text
-            %   not_word      per field: cannot be a keyword
-            %   odd           per field: not a number of the simplest form,
-            %                 [-] digits [. digits], which is read quickly
-            d = double(text);
-            lf = d == 10;
-            line_ends = find(lf);
-            space = d == 32 | d == 9 | lf;
-            space(line_ends(d(max(line_ends - 1, 1)) == 13) - 1) = true;
-            edges = diff([true, space, true]);
-            c.starts = find(edges == -1);
-            c.ends = find(edges == 1) - 1;
-            field = cumsum(edges == -1);
-            c.last = field(line_ends);
-            c.first = [0, c.last(1:end - 1)] + 1;
-            n = numel(c.starts);
-            line = cumsum([1, lf]);
-
-            c.not_plain = false(size(line_ends));
-            c.not_plain(line((d < 32 & ~space) | d > 126)) = true;
-
-            digit = d >= 48 & d <= 57;
-            letter = (d >= 65 & d <= 90) | (d >= 97 & d <= 122) | d == 95;
-            c.not_word = false(1, n);
-            c.not_word(field(~(digit | letter | space))) = true;
-            c.not_word(digit(c.starts)) = true;
-
-            minus = d == 45;
-            dot = d == 46;
-            after = [digit(2:end) | dot(2:end), false];
-            wrong = ~(digit | minus | dot | space) | (minus & ~after);
-            wrong = wrong | (dot & ~[false, digit(1:end - 1)] & ...
-                             ~[digit(2:end), false]);
-            wrong = wrong | (minus & ~[true, space(1:end - 1)]);
-            c.odd = false(1, n);
-            c.odd(field(wrong)) = true;
-            dots = field(dot);
-            c.odd(dots([false, diff(dots) == 0])) = true;
-
-            c.candidates = [];
-            if n == 0
-                return
-            end
-            some = find(c.last >= c.first);
-            head = d(c.starts(c.first(some)));
-            ours = any(head == ('PWFR')', 1);
-            look = ours | c.not_plain(some) | c.not_word(c.first(some));
-            c.candidates = some(look & head ~= '#');
-        end
-
-        function v = values(text, c, f, g)
-            % the fields after the keyword, up to one that begins with #
-            v = cell(1, g - f);
-            for i = 1:g - f
-                v{i} = text(c.starts(f + i):c.ends(f + i));
-                if v{i}(1) == '#'
-                    v = v(1:i - 1);
-                    break
-                end
-            end
+            scans = struct('pose', scans(1, 1:n), ...
+                           'angles', scans(2, 1:n), 'ranges', scans(3, 1:n));
+            walls = [struct('x0', {}, 'y0', {}, 'x1', {}, 'y1', {})
+                     vertcat(walls{:})];
+            s = occgrid.scenario.new_scenario( ...
+                occgrid.scenario.scenario_name(file), settings, walls, scans);
         end
 
         % --- PARAM, WALL, POSE ---
 
         function table = parameters()
             % rows of name, kind, limits as they are printed, default
-            far = {'-1000000', '1000000'};
+            far = {'-10000000', '10000000'};
             table = { ...
                 'width', 'whole', '1', '25000000', []
                 'height', 'whole', '1', '25000000', []
@@ -293,6 +175,7 @@ classdef scenario
                 'origin_x', 'real', far{:}, []
                 'origin_y', 'real', far{:}, []
                 'max_range', 'real', '0.001', '10000', []
+                'min_range', 'real', '0', '10000', 0
                 'p0', 'probability', '', '', 0.5
                 'p_occ', 'probability', '', '', 0.75
                 'p_free', 'probability', '', '', 0.30
@@ -378,20 +261,37 @@ classdef scenario
                     ['logit(occgrid_p0) is not from occgrid_l_min ' ...
                      'to occgrid_l_max']);
             end
+            if ~(settings.min_range < settings.max_range)
+                occgrid.scenario.fail( ...
+                    file, max(lines.min_range, lines.max_range), ...
+                    'occgrid_min_range is not below occgrid_max_range');
+            end
         end
 
         function w = wall(file, line, values)
-            % the values of a WALL line
+            % the wall of a WALL line
             occgrid.scenario.expect(file, line, 'WALL', 4, values);
-            w = occgrid.scenario.coordinates( ...
-                file, line, {'x0', 'y0', 'x1', 'y1'}, values);
+            v = zeros(1, 4);
+            fields = {'x0', 'y0', 'x1', 'y1'};
+            for i = 1:4
+                v(i) = occgrid.scenario.coordinate( ...
+                    file, line, fields{i}, values{i});
+            end
+            w = occgrid.world.segment(v(1), v(2), v(3), v(4));
         end
 
         function p = pose(file, line, values)
-            % the values of a POSE line
+            % the pose of a POSE line
             occgrid.scenario.expect(file, line, 'POSE', 3, values);
-            p = occgrid.scenario.coordinates( ...
-                file, line, {'x', 'y', 'theta'}, values);
+            p = occgrid.scenario.pose_of(file, line, values);
+        end
+
+        function p = pose_of(file, line, tokens)
+            % the pose in three fields
+            x = occgrid.scenario.coordinate(file, line, 'x', tokens{1});
+            y = occgrid.scenario.coordinate(file, line, 'y', tokens{2});
+            theta = occgrid.scenario.angle(file, line, 'theta', tokens{3});
+            p = occgrid.world.pose(x, y, theta);
         end
 
         % --- recorded scans ---
@@ -433,14 +333,15 @@ classdef scenario
                                   'remissions takes %d values, found %d'], ...
                                  n, m, n + m + 23, found));
                 end
-                turn = occgrid.scenario.coordinates( ...
-                    file, line, {'start', 'step'}, {field(2), field(4)});
-                key = [2, n, turn];
+                start = occgrid.scenario.angle( ...
+                    file, line, 'start', field(2));
+                step = occgrid.scenario.angle(file, line, 'step', field(4));
+                key = [2, n, start, step];
                 at_ranges = f + 9;
                 at_pose = f + n + m + 10;
             end
 
-            [ranges, bad] = occgrid.scenario.numbers( ...
+            [ranges, bad] = occgrid.log_lines.numbers( ...
                 text, c, at_ranges, at_ranges + n - 1);
             i = find(bad | ranges < 0, 1);
             if ~isempty(i)
@@ -452,15 +353,14 @@ classdef scenario
                 end
                 fail(sprintf('range %d ''%s'' %s', i - 1, token, reason));
             end
-            [pose, bad] = occgrid.scenario.numbers( ...
+            [v, bad] = occgrid.log_lines.numbers( ...
                 text, c, at_pose, at_pose + 2);
-            if any(bad | ~(abs(pose) <= 1000000))
+            if any(bad | ~(abs(v) <= [10000000; 10000000; 1000000]))
                 at = at_pose - f;
-                pose = occgrid.scenario.coordinates( ...
-                    file, line, {'x', 'y', 'theta'}, ...
+                occgrid.scenario.pose_of(file, line, ...
                     {field(at), field(at + 1), field(at + 2)});
             end
-            pose = pose';
+            pose = occgrid.world.pose(v(1), v(2), v(3));
         end
 
         % --- values ---
@@ -474,58 +374,9 @@ classdef scenario
             end
         end
 
-        function [v, bad] = numbers(text, c, f, g)
-            % the fields f to g as numbers (n, 1), and which are none
-            %
-            %   All fields are read at once. Those that are not of the
-            %   simplest form are read one by one, and stand as 0 meanwhile.
-            odd = find(c.odd(f:g));
-            part = text(c.starts(f):c.ends(g));
-            special = zeros(numel(odd), 1);
-            bad = false(g - f + 1, 1);
-            token = '';
-            for i = 1:numel(odd)
-                a = c.starts(f + odd(i) - 1);
-                b = c.ends(f + odd(i) - 1);
-                if ~strcmp(token, text(a:b)) % NaN often follows NaN
-                    token = text(a:b);
-                    [value, wrong] = occgrid.scenario.one_number(token);
-                end
-                special(i) = value;
-                bad(odd(i)) = wrong;
-                part(a - c.starts(f) + 1:b - c.starts(f) + 1) = ' ';
-                part(a - c.starts(f) + 1) = '0';
-            end
-            v = sscanf(part, '%f');
-            v(odd) = special;
-            v(v >= 1e300) = Inf;
-            v(v <= -1e300) = -Inf;
-            v(abs(v) < 1e-300) = 0;
-        end
-
-        function [value, bad] = one_number(token)
-            % any number of SPEC.md section 5.1
-            value = 0;
-            bad = isempty(regexp(token, ...
-                ['^[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)' ...
-                 '([eE][+-]?[0-9]+)?$'], 'once'));
-            if ~bad
-                value = sscanf(token, '%f');
-            elseif ~isempty(regexpi(token, ...
-                                    '^[+-]?(nan|inf|infinity)$', 'once'))
-                bad = false;
-                value = Inf;
-                if any(lower(token) == 'a')
-                    value = NaN;
-                elseif token(1) == '-'
-                    value = -Inf;
-                end
-            end
-        end
-
         function value = number(file, line, field, token)
             % a number, NaN and infinity included
-            [value, bad] = occgrid.scenario.one_number(token);
+            [value, bad] = occgrid.log_lines.one_number(token);
             if bad
                 occgrid.scenario.fail( ...
                     file, line, sprintf('%s ''%s'' is not a number', ...
@@ -559,17 +410,21 @@ classdef scenario
                 file, line, field, token, low, high);
         end
 
-        function v = coordinates(file, line, fields, tokens)
-            % coordinates in metres, or angles in radians
-            v = zeros(1, numel(fields));
-            for i = 1:numel(fields)
-                v(i) = occgrid.scenario.real( ...
-                    file, line, fields{i}, tokens{i}, '-1000000', '1000000');
-            end
+        function value = coordinate(file, line, field, token)
+            % metres
+            value = occgrid.scenario.real( ...
+                file, line, field, token, '-10000000', '10000000');
+        end
+
+        function value = angle(file, line, field, token)
+            % radians
+            value = occgrid.scenario.real( ...
+                file, line, field, token, '-1000000', '1000000');
         end
 
         function fail(file, line, reason)
-            error('occgrid:scenario', '%s:%d: %s', file, line, reason);
+            error('occgrid:scenario', '%s:%d: %s', ...
+                  occgrid.files.shown(file), line, reason);
         end
 
     end

@@ -1,23 +1,34 @@
 classdef sensor
     % SENSOR  The range sensor: bearings, what a range means, the update.
     %
+    %   scan = occgrid.sensor.scan(pose, angles, ranges)
     %   angles = occgrid.sensor.beam_angles(fov, n_beams)
     %   angles = occgrid.sensor.flaser_angles(n_beams)
     %   [z, hit, used] = occgrid.sensor.read_ranges(ranges, z_max, no_return)
-    %   [ex, ey] = occgrid.sensor.beam_endpoints(x, y, theta, angles, z)
-    %   map = occgrid.sensor.update_grid_from_scan(map, scan, z_max, no_return)
+    %   [ex, ey] = occgrid.sensor.beam_endpoints(pose, angles, z)
+    %   grid = occgrid.sensor.update_grid_from_scan( ...
+    %       grid, scan, z_max, no_return)
     %
-    %   Lesson section 4. A scan is a struct: pose (1, 3), the sensor's x, y
-    %   and theta in metres and radians; angles (n, 1), bearings in radians
-    %   from its heading; ranges (n, 1) in metres. Octave and MATLAB are quick
-    %   on long arrays, so a scan may also hold m scans in order that have
-    %   the same bearings: pose (m, 3), ranges (n, m).
+    %   Lesson section 4.
 
     methods (Static)
+
+        function s = scan(pose, angles, ranges)
+            % SCAN  One turn of the sensor.
+            %
+            %   pose: the sensor's (see occgrid.world.pose); angles: (n, 1)
+            %   bearings in radians from its heading; ranges: (n, 1) metres,
+            %   NaN for a beam to ignore. For m poses side by side: (n, m).
+            s.pose = pose;
+            s.angles = angles;
+            s.ranges = ranges;
+        end
 
         % [snippet: beam-angles]
         function angles = beam_angles(fov, n_beams)
             % BEAM_ANGLES  Bearings (n_beams, 1) of a simulated scan.
+            %
+            %   fov: the field of view, radians.
             if n_beams == 1
                 angles = 0;
             else
@@ -54,8 +65,8 @@ classdef sensor
             % READ_RANGES  What ranges in metres mean: distance, hit, used.
             %
             %   NaN is ignored. At z_max or beyond nothing was hit (Problem
-            %   3): the beam is free up to z_max, or ignored. z, hit, used:
-            %   of the shape of ranges.
+            %   3): the beam is free up to z_max ('free'), or ignored
+            %   ('ignore'). z, hit, used: of the shape of ranges.
             hit = ranges < z_max - 1e-12;
             z = ranges;
             z(~hit) = z_max;
@@ -69,102 +80,45 @@ classdef sensor
         % [/snippet]
 
         % [snippet: beam-endpoints]
-        function [ex, ey] = beam_endpoints(x, y, theta, angles, z)
+        function [ex, ey] = beam_endpoints(pose, angles, z)
             % BEAM_ENDPOINTS  World points, metres, where beams end.
             %
-            %   x, y, theta: (1, m); angles: (n, 1); z, ex, ey: (n, m).
-            beam = theta + angles;
-            ex = x + z .* occgrid.portable_math.cos(beam);
-            ey = y + z .* occgrid.portable_math.sin(beam);
+            %   angles: (n, 1) radians; z, ex, ey: (n, 1) metres, or (n, m)
+            %   for m poses side by side.
+            beam = pose.theta + angles;
+            ex = pose.x + z .* occgrid.portable_math.cos(beam);
+            ey = pose.y + z .* occgrid.portable_math.sin(beam);
         end
 
         % [/snippet]
 
         % [snippet: update-grid-from-scan]
-        function map = update_grid_from_scan(map, scan, z_max, no_return)
+        function grid = update_grid_from_scan(grid, scan, z_max, no_return)
             % UPDATE_GRID_FROM_SCAN  The inverse sensor model.
             %
-            %   Free along each beam, occupied at its hit. no_return: 'free'
-            %   or 'ignore'.
-            x = scan.pose(:, 1)';
-            y = scan.pose(:, 2)';
-            theta = scan.pose(:, 3)';
+            %   Free along each beam, occupied at its hit. z_max: metres;
+            %   no_return: 'free' or 'ignore'.
             [z, hit, used] = occgrid.sensor.read_ranges( ...
                 scan.ranges, z_max, no_return);
             [ex, ey] = occgrid.sensor.beam_endpoints( ...
-                x, y, theta, scan.angles, z);
-            x = x + zeros(size(ex));
-            y = y + zeros(size(ey));
-            % from here on a row vector, an element per beam
-            hit = reshape(hit(used), 1, []);
+                scan.pose, scan.angles, z);
             [gx0, gy0] = occgrid.grid.world_to_grid( ...
-                map, reshape(x(used), 1, []), reshape(y(used), 1, []));
-            [gx1, gy1] = occgrid.grid.world_to_grid( ...
-                map, reshape(ex(used), 1, []), reshape(ey(used), 1, []));
-
-            [first, last] = occgrid.ray.clip_ray( ...
-                gx0, gy0, gx1, gy1, map.spec.width, map.spec.height);
-            counts = max(last - first + 1, 0);
-            a = max(abs(gx1 - gx0), abs(gy1 - gy0));
-            for run = occgrid.sensor.runs(counts)
-                pieces = occgrid.sensor.pieces(run{1}, counts);
-                cells = cell(size(pieces));
-                beams = cell(size(pieces));
-                occupied = cell(size(pieces));
-                for i = 1:numel(pieces)
-                    j = pieces{i};
-                    % a column per beam, a row per step
-                    k = first(j) + (0:max(counts(j)) - 1)';
-                    [gx, gy] = occgrid.ray.bresenham( ...
-                        gx0(j), gy0(j), gx1(j), gy1(j), k);
-                    inside = k <= last(j);
-                    index = gx .* map.spec.height + gy + 1;
-                    beam = repmat(j, size(k, 1), 1);
-                    at_hit = hit(j) & k == a(j);
-                    cells{i} = reshape(index(inside), [], 1);
-                    beams{i} = reshape(beam(inside), [], 1);
-                    occupied{i} = reshape(at_hit(inside), [], 1);
+                grid, scan.pose.x, scan.pose.y);
+            [gx1, gy1] = occgrid.grid.world_to_grid(grid, ex, ey);
+            for i = reshape(find(used), 1, [])
+                [gx, gy] = occgrid.ray.bresenham(gx0, gy0, gx1(i), gy1(i));
+                n_free = numel(gx) - hit(i); % the cells before the hit
+                % one beam's cells at once: none of them comes twice
+                grid = occgrid.grid.update_cells( ...
+                    grid, gx(1:n_free), gy(1:n_free), grid.l_free);
+                if hit(i)
+                    grid = occgrid.grid.update_cell( ...
+                        grid, gx1(i), gy1(i), grid.l_occ);
                 end
-                map = occgrid.grid.update_cells( ...
-                    map, vertcat(cells{:}), vertcat(beams{:}), ...
-                    vertcat(occupied{:}));
             end
         end
 
         % [/snippet]
-
-    end
-
-    methods (Static, Access = private)
-
-        function r = runs(counts)
-            % beams that have cells, in runs of about 2^20 cells: bounds the
-            % memory of an update, whatever the scans
-            beams = find(counts > 0);
-            n = counts(beams);
-            run = floor((cumsum(n) - n) ./ 2^20);
-            r = occgrid.sensor.split(beams, diff(run) ~= 0);
-        end
-
-        function p = pieces(beams, counts)
-            % the beams of a run in pieces of about 2^15 cells, which fit the
-            % processor's cache, the beams of a piece of similar length
-            [n, by_length] = sort(counts(beams));
-            piece = floor((cumsum(n) - n) ./ 2^15);
-            octave_ = floor(log2(n));
-            p = occgrid.sensor.split(beams(by_length), ...
-                                     diff(piece) ~= 0 | diff(octave_) ~= 0);
-        end
-
-        function c = split(items, cut_after)
-            % a row vector cut into a row of cells
-            if isempty(items)
-                c = {};
-            else
-                ends = [find(cut_after), numel(items)];
-                c = mat2cell(items, 1, diff([0, ends]));
-            end
-        end
 
     end
 end

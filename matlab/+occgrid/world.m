@@ -1,6 +1,7 @@
 classdef world
     % WORLD  The simulated world: walls, ray casting, range scans.
     %
+    %   pose = occgrid.world.pose(x, y, theta)
     %   wall = occgrid.world.segment(x0, y0, x1, y1)
     %   walls = occgrid.world.build_box_world(xmin, ymin, xmax, ymax)
     %   wall = occgrid.world.add_vertical_wall(x, y0, y1)
@@ -8,23 +9,34 @@ classdef world
     %   t = occgrid.world.ray_segment_intersection(rx, ry, rdx, rdy, wall)
     %   ranges = occgrid.world.simulate_lidar_scan(pose, walls, angles, z_max)
     %
-    %   Lesson section 6. A pose is a row (x, y, theta) in metres and
-    %   radians, a wall a row (x0, y0, x1, y1) in metres.
+    %   Lesson section 6. Several walls are a struct array (w, 1).
 
     methods (Static)
 
+        function p = pose(x, y, theta)
+            % POSE  Where the sensor stands: metres, and its heading, radians.
+            %
+            %   x, y, theta: scalars, or rows (1, m) for m poses side by side.
+            p.x = x;
+            p.y = y;
+            p.theta = theta;
+        end
+
         function wall = segment(x0, y0, x1, y1)
             % SEGMENT  A wall from (x0, y0) to (x1, y1), metres.
-            wall = [x0, y0, x1, y1];
+            wall.x0 = x0;
+            wall.y0 = y0;
+            wall.x1 = x1;
+            wall.y1 = y1;
         end
 
         % [snippet: box-world]
         function walls = build_box_world(xmin, ymin, xmax, ymax)
             % BUILD_BOX_WORLD  A rectangle's walls, counterclockwise.
-            walls = [xmin, ymin, xmax, ymin
-                     xmax, ymin, xmax, ymax
-                     xmax, ymax, xmin, ymax
-                     xmin, ymax, xmin, ymin];
+            walls = [occgrid.world.segment(xmin, ymin, xmax, ymin)
+                     occgrid.world.segment(xmax, ymin, xmax, ymax)
+                     occgrid.world.segment(xmax, ymax, xmin, ymax)
+                     occgrid.world.segment(xmin, ymax, xmin, ymin)];
         end
 
         function wall = add_vertical_wall(x, y0, y1)
@@ -46,12 +58,12 @@ classdef world
             %   rx, ry: where the rays start, metres, (1, m); rdx, rdy:
             %   directions, (n, m). t: (n, m) metres; infinity where a ray is
             %   parallel or misses.
-            sx = wall(3) - wall(1);
-            sy = wall(4) - wall(2);
+            sx = wall.x1 - wall.x0;
+            sy = wall.y1 - wall.y0;
             rxs = rdx .* sy - rdy .* sx;
             parallel = abs(rxs) < 1e-12;
-            qpx = wall(1) - rx;
-            qpy = wall(2) - ry;
+            qpx = wall.x0 - rx;
+            qpy = wall.y0 - ry;
             t = (qpx .* sy - qpy .* sx) ./ rxs;
             u = (qpx .* rdy - qpy .* rdx) ./ rxs;
             t(parallel | ~(t >= 0 & u >= 0 & u <= 1)) = Inf;
@@ -63,18 +75,16 @@ classdef world
         function ranges = simulate_lidar_scan(pose, walls, angles, z_max)
             % SIMULATE_LIDAR_SCAN  Ranges along bearings from a pose.
             %
-            %   pose: (1, 3), or (m, 3) for m scans at once; walls: (w, 4);
-            %   angles: (n, 1). ranges: (n, m) metres. A beam that meets no
-            %   wall within z_max reads z_max.
-            x = pose(:, 1)';
-            y = pose(:, 2)';
-            beam = pose(:, 3)' + angles;
+            %   angles: (n, 1) radians; z_max: metres. ranges: (n, 1) metres,
+            %   or (n, m) for m poses side by side. A beam that meets no wall
+            %   within z_max reads z_max.
+            beam = pose.theta + angles;
             rdx = occgrid.portable_math.cos(beam);
             rdy = occgrid.portable_math.sin(beam);
             nearest = Inf(size(beam));
-            for i = 1:size(walls, 1)
+            for i = 1:numel(walls)
                 t = occgrid.world.ray_segment_intersection( ...
-                    x, y, rdx, rdy, walls(i, :));
+                    pose.x, pose.y, rdx, rdy, walls(i));
                 nearest = min(nearest, t);
             end
             ranges = nearest;

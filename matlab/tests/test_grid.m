@@ -2,7 +2,7 @@ function tests = test_grid()
     % TEST_GRID  Cells, log-odds and their updates.
     tests = {@lesson_problem_1, @points_and_cells, @bounds, @odds, ...
              @update_adds_and_clamps, @outside_is_skipped, ...
-             @lesson_problem_4, @many_updates, @one_row_and_one_column, ...
+             @lesson_problem_4, @cells_of_a_beam, @far_cells, @two_grids, ...
              @probabilities};
 end
 
@@ -100,47 +100,45 @@ function lesson_problem_4()
     assert(p < 0.01); % repeated free evidence drives it to 0
 end
 
-function many_updates()
-    % update_cells is update_cell, update after update
-    rand('twister', 11); %#ok<RAND>
-    for trial = 1:30
-        spec = occgrid.grid.grid_spec(4, 5, 1, 0, 0);
-        map = occgrid.grid.occupancy_grid( ...
-            spec, 0.45, 0.6 + 0.3 * rand, 0.2 + 0.5 * rand, -2, 1.5);
-        map.log_odds(:) = -2 + 3.5 * rand(5, 4);
-        n = floor(300 * rand);
-        cells = ceil(14 * rand(n, 1)) + 3;
-        occupied = rand(n, 1) < 0.1 & cells > 8;
-        one = map;
-        for i = 1:n
-            l = map.l_free;
-            if occupied(i)
-                l = map.l_occ;
+function cells_of_a_beam()
+    % update_cells is update_cell, cell after cell
+    restores = seeded(11); %#ok<NASGU>
+    for shape = [1, 9, 6; 7, 1, 5]
+        spec = occgrid.grid.grid_spec(shape(1), shape(2), 1, 0, 0);
+        map = occgrid.grid.occupancy_grid(spec, 0.4, 0.75, 0.3, -1, 1);
+        map.log_odds(:) = 2 * rand(shape(2), shape(1)) - 1;
+        [gx, gy] = ndgrid(-2:shape(1) + 1, -2:shape(2) + 1);
+        some = randperm(numel(gx), 12)';
+        for l = [map.l_occ, map.l_free]
+            one = map;
+            for i = some'
+                one = occgrid.grid.update_cell(one, gx(i), gy(i), l);
             end
-            one = occgrid.grid.update_cell( ...
-                one, floor((cells(i) - 1) / 5), mod(cells(i) - 1, 5), l);
+            map = occgrid.grid.update_cells(map, gx(some), gy(some), l);
+            same(map.log_odds, one.log_odds);
         end
-        mixed = randperm(n)'; % the order is what order says
-        many = occgrid.grid.update_cells( ...
-            map, cells(mixed), mixed, occupied(mixed));
-        same(many.log_odds, one.log_odds);
+        none = occgrid.grid.update_cells(map, zeros(0, 1), zeros(0, 1), 1);
+        same(none.log_odds, map.log_odds);
     end
 end
 
-function one_row_and_one_column()
-    for shape = [1, 9, 1; 7, 1, 1]
-        spec = occgrid.grid.grid_spec(shape(1), shape(2), 1, 0, 0);
-        map = occgrid.grid.occupancy_grid(spec, 0.5, 0.75, 0.3, -8, 8);
-        n = shape(1) * shape(2);
-        map = occgrid.grid.update_cells( ...
-            map, [1; n; n], [0; 1; 2], [false; true; false]);
-        expected = zeros(shape(2), shape(1));
-        expected([1, n]) = [map.l_free, map.l_occ + map.l_free];
-        if n == 1
-            expected = (map.l_free + map.l_occ) + map.l_free;
-        end
-        same(map.log_odds, expected);
-    end
+function far_cells()
+    % cells whose index would not be exact are not in the grid
+    spec = occgrid.grid.grid_spec(5, 25000, 0.001, -1e7, 1e7);
+    map = occgrid.grid.occupancy_grid(spec, 0.5, 0.75, 0.3, -8, 8);
+    [gx, gy] = occgrid.grid.world_to_grid(map, [1e7, -1e7], [-1e7, 1e7]);
+    same([gx, gy], [20000000000, 0, -20000000000, 0]);
+    map = occgrid.grid.update_cells(map, gx, gy, map.l_occ);
+    same(find(map.log_odds), 1);
+end
+
+function two_grids()
+    % a grid is a value
+    a = lesson_map();
+    b = occgrid.grid.update_cell(a, 3, 5, a.l_occ);
+    same(nnz(a.log_odds), 0);
+    a = occgrid.grid.update_cell(a, 3, 5, a.l_free);
+    same([a.log_odds(6, 4), b.log_odds(6, 4)], [a.l_free, b.l_occ]);
 end
 
 function probabilities()

@@ -3,6 +3,7 @@ function tests = test_scenario()
     tests = {@names, @defaults, @all_parameters, @comments_and_blank_lines, ...
              @line_ends, @other_keywords, @walls, @poses, @flaser, ...
              @robotlaser1, @numbers, @numbers_in_a_scan, @long_lines, ...
+             @far_away, @min_range, @read_twice, ...
              @no_such_file, @wrong_bytes, @wrong_keywords, @wrong_order, ...
              @wrong_counts, @wrong_parameters, @wrong_values, @missing, ...
              @wrong_together, @wrong_scans, @nothing_to_map, @which_first};
@@ -36,6 +37,16 @@ function text = lines(varargin)
     text = sprintf('%s\n', varargin{:});
 end
 
+function v = poses_of(s)
+    poses = [s.scans.pose];
+    v = [[poses.x]', [poses.y]', [poses.theta]'];
+end
+
+function v = walls_of(s)
+    v = [[s.walls.x0]', [s.walls.y0]', [s.walls.x1]', [s.walls.y1]'];
+    v = reshape(v, [], 4);
+end
+
 function text = flaser_line(n, ranges, pose)
     text = sprintf('FLASER %s %s %s 0 0 0 12.5 host 12.5\n', n, ranges, pose);
 end
@@ -52,6 +63,8 @@ function names()
     same(occgrid.scenario.scenario_name('/x.y/b.c.log'), 'b.c');
     same(occgrid.scenario.scenario_name('x/plain'), 'plain');
     same(occgrid.scenario.scenario_name('.hidden'), '.hidden');
+    same(occgrid.scenario.scenario_name('d/ a.b.log//'), ' a.b');
+    assert(isempty(occgrid.scenario.scenario_name('/')));
 end
 
 function defaults()
@@ -88,65 +101,63 @@ function comments_and_blank_lines()
                     '  POSE 1 2 3 #4 5')]);
     same(s.settings.beams, 7);
     same(s.settings.fov, 2);
-    same(s.walls, [1, 2, 3, 4]);
-    same(s.poses, [1, 2, 3]);
+    same(walls_of(s), [1, 2, 3, 4]);
+    same(poses_of(s), [1, 2, 3]);
 end
 
 function line_ends()
     text = [head(), lines('POSE 1 2 3', 'POSE 4 5 6')];
     expected = [1, 2, 3; 4, 5, 6];
     s = read(strrep(text, newline, [char(13), newline]));
-    same(s.poses, expected);
+    same(poses_of(s), expected);
     s = read(text(1:end - 1));
-    same(s.poses, expected);
+    same(poses_of(s), expected);
     % a CR alone ends no line
     wrong([head(), 'POSE 1 2 3', char(13), lines('POSE 4 5 6')], 7, ...
         'not plain ASCII text');
     s = read([head(), '# 1', char(13), lines('POSE 1 2 3', 'POSE 4 5 6')]);
-    same(s.poses, [4, 5, 6]);
+    same(poses_of(s), [4, 5, 6]);
 end
 
 function other_keywords()
     s = read([lines('PARAM robot_width 3', 'PARAM', 'ODOM 1 2 x', '_a', ...
                     'FLASER2', 'POSES'), head(), ...
               lines('POSE 0 0 0', 'PARAM laser_fov 1', 'SYNC')]);
-    same(size(s.poses), [1, 3]);
+    same(size(poses_of(s)), [1, 3]);
 end
 
 function walls()
     s = read([lines('WALL 1 2 3 4'), head(), lines('WALL -5 .5 1e0 +0', ...
                                                    'POSE 0 0 0')]);
-    same(s.walls, [1, 2, 3, 4; -5, 0.5, 1, 0]);
+    same(walls_of(s), [1, 2, 3, 4; -5, 0.5, 1, 0]);
     s = read([head(), lines('POSE 0 0 0')]);
-    same(s.walls, zeros(0, 4));
+    same(walls_of(s), zeros(0, 4));
 end
 
 function poses()
     n = 3000; % more than are read at once
     text = sprintf('POSE %d %d -0.5\n', [1:n; n:-1:1]);
     s = read([head(), text]);
-    same(s.poses, [(1:n)', (n:-1:1)', repmat(-0.5, n, 1)]);
-    same(s.bearings, zeros(n, 1));
+    same(poses_of(s), [(1:n)', (n:-1:1)', repmat(-0.5, n, 1)]);
+    same(isempty([s.scans.angles]) && isempty([s.scans.ranges]), true);
 end
 
 function flaser()
     s = read([head(), flaser_line('3', '1 2 3', '4 5 6'), ...
               lines('POSE 7 8 9'), flaser_line('2', '1 .5', '1 2 3'), ...
               flaser_line('003', '3 2 1', '0 0 0')]);
-    same(s.poses, [4, 5, 6; 7, 8, 9; 1, 2, 3; 0, 0, 0]);
-    same(s.ranges, {[1; 2; 3]; []; [1; 0.5]; [3; 2; 1]});
-    same(s.angles{s.bearings(1)}, [-(pi / 2); 0; pi / 2]);
-    same(s.angles{s.bearings(3)}, [-(pi / 2); pi / 2]);
-    same([s.bearings(2), s.bearings(4)], [0, s.bearings(1)]);
+    same(poses_of(s), [4, 5, 6; 7, 8, 9; 1, 2, 3; 0, 0, 0]);
+    same({s.scans.ranges}, {[1; 2; 3], [], [1; 0.5], [3; 2; 1]});
+    three = [-(pi / 2); 0; pi / 2];
+    same({s.scans.angles}, {three, [], [-(pi / 2); pi / 2], three});
 end
 
 function robotlaser1()
     s = read([head(), robot_line('3', '1 2 3', '2', '7 8', '4 5 6'), ...
               robot_line('2', '1 2', '0', '', '1 2 3')]);
-    same(s.poses, [4, 5, 6; 1, 2, 3]);
-    same(s.ranges, {[1; 2; 3]; [1; 2]});
-    same(s.angles{s.bearings(1)}, [-1; -0.75; -0.5]);
-    same(s.angles{s.bearings(2)}, [-1; -0.75]);
+    same(poses_of(s), [4, 5, 6; 1, 2, 3]);
+    same({s.scans.ranges}, {[1; 2; 3], [1; 2]});
+    same({s.scans.angles}, {[-1; -0.75; -0.5], [-1; -0.75]});
 end
 
 function numbers()
@@ -160,11 +171,11 @@ function numbers()
              ['.', repmat('0', 1, 500), '7e501'], 7};
     for i = 1:size(table, 1)
         s = read([head(), lines(['POSE 0 ', table{i, 1}, ' 0'])]);
-        same(s.poses(2), table{i, 2});
+        same(s.scans.pose.y, table{i, 2});
     end
     for token = {'nan', '-NaN', 'inf', '-Infinity', '+iNf', '1e300', '1e400'}
         wrong([head(), lines(['POSE 0 ', token{1}, ' 0'])], 7, ...
-            sprintf('y ''%s'' is not from -1000000 to 1000000', token{1}));
+            sprintf('y ''%s'' is not from -10000000 to 10000000', token{1}));
     end
     for token = {'1e', 'e1', '.', '-', '+', '--1', '1-2', '1.2.3', '1.2.', ...
                  '1,5', '0x1', '1d2', '1e5.', 'na', 'NaN(1)', 'infi', '1_0', ...
@@ -178,8 +189,9 @@ function numbers_in_a_scan()
     s = read([head(), flaser_line('12', ...
         'nan 1 NAN inf +Infinity 1e300 1e-300 9e-301 -0 1.5e1 2. .5', ...
         '-1e0 -0 +.5')]);
-    same(s.ranges{1}, [NaN; 1; NaN; Inf; Inf; Inf; 1e-300; 0; 0; 15; 2; 0.5]);
-    same(s.poses, [-1, 0, 0.5]);
+    same(s.scans(1).ranges, ...
+        [NaN; 1; NaN; Inf; Inf; Inf; 1e-300; 0; 0; 15; 2; 0.5]);
+    same(poses_of(s), [-1, 0, 0.5]);
     for token = {'1e', 'e1', '.', '-', '--1', '1-2', '1.2.3', '1.2.', ...
                  '1e5.', '-.', 'x', '+'}
         wrong([head(), flaser_line('3', ['nan ', token{1}, ' y'], '1 2 3')], ...
@@ -193,18 +205,47 @@ function long_lines()
     s = read([head(), '# ', repmat('x', 1, 200000), newline, ...
               flaser_line('30000', sprintf(' %.3f', ranges), '1 2 3'), ...
               lines('POSE 1 2 3')]);
-    same(s.ranges{1}, ranges');
-    same(s.poses, [1, 2, 3; 1, 2, 3]);
+    same(s.scans(1).ranges, ranges');
+    same(poses_of(s), [1, 2, 3; 1, 2, 3]);
+end
+
+function far_away()
+    s = read([head(), lines('WALL 1e7 -1e7 0 0', 'POSE -1e7 1e7 -1e6'), ...
+              flaser_line('1', '1', '10000000 -10000000 1000000')]);
+    same(poses_of(s), [-1e7, 1e7, -1e6; 1e7, -1e7, 1e6]);
+    same(walls_of(s), [1e7, -1e7, 0, 0]);
+end
+
+function min_range()
+    % recorded ranges below it are ignored
+    s = read([head('min_range 0.5'), lines('POSE 0 0 0'), ...
+              flaser_line('5', '0.5 0.49999999999999994 0 inf nan', ...
+                          '0 0 0')]);
+    same(s.settings.min_range, 0.5);
+    same(s.scans(2).ranges, [0.5; NaN; NaN; Inf; NaN]);
+end
+
+function read_twice()
+    % a scenario is a value: mapping it leaves its scans
+    s = read([head(), flaser_line('1', '1', '0 0.5 1')]);
+    a = occgrid.fast.map_scenario_fast(s, []);
+    b = occgrid.fast.map_scenario_fast(s, []);
+    assert(nnz(a.log_odds) > 0);
+    same(b.log_odds, a.log_odds);
 end
 
 % --- what is wrong ---
 
 function no_such_file()
     [folder, removes] = temporary_folder(); %#ok<ASGLU>
-    for file = {fullfile(folder, 'none.log'), folder, ''}
+    write_file(fullfile(folder, 'a.log'), [head(), lines('POSE 0 0 0')]);
+    for file = {fullfile(folder, 'none.log'), folder, '', ...
+                fullfile(folder, 'a.log/'), '/proc/self/mem'}
         raises(@() occgrid.scenario.read_scenario(file{1}), ...
             'occgrid:scenario', [file{1}, ':0: cannot be read']);
     end
+    raises(@() occgrid.scenario.read_scenario(sprintf('a\nb\x7f')), ...
+        'occgrid:scenario', 'a?b?:0: cannot be read');
 end
 
 function wrong_bytes()
@@ -264,11 +305,13 @@ function wrong_values()
                         whole_{i, 1}, token{1}));
         end
     end
-    far = {'-1000000', '1000000', {'-1000000.1', '1000001', 'nan', '-inf'}};
+    far = {'-10000000', '10000000', ...
+           {'-10000000.1', '10000001', 'nan', '-inf'}};
     real_ = {'resolution', '0.001', '1000', {'0.0009', '1000.1', 'NaN'}
              'origin_x', far{:}
              'origin_y', far{:}
              'max_range', '0.001', '10000', {'0', '10001', 'inf'}
+             'min_range', '0', '10000', {'-1', '10001', 'nan'}
              'l_min', '-1000', '1000', {'-1001', '1001', 'nan'}
              'l_max', '-1000', '1000', {'-1001', '1001', 'nan'}
              'fov', '0', '6.283185307179586', {'-1', '6.2831853071795870'}
@@ -299,9 +342,10 @@ function wrong_values()
     for i = 1:4
         names_ = {'x0', 'y0', 'x1', 'y1'};
         tokens = {'1', '2', '3', '4'};
-        tokens{i} = '1000000.5';
+        tokens{i} = '10000000.5';
         wrong(lines(strjoin([{'WALL'}, tokens])), 1, sprintf( ...
-            '%s ''1000000.5'' is not from -1000000 to 1000000', names_{i}));
+            '%s ''10000000.5'' is not from -10000000 to 10000000', ...
+            names_{i}));
         tokens{i} = 'far';
         wrong(lines(strjoin([{'WALL'}, tokens])), 1, ...
             sprintf('%s ''far'' is not a number', names_{i}));
@@ -310,8 +354,9 @@ function wrong_values()
         names_ = {'x', 'y', 'theta'};
         tokens = {'1', '2', '3'};
         tokens{i} = 'nan';
-        reason = sprintf('%s ''nan'' is not from -1000000 to 1000000', ...
-                         names_{i});
+        far = {'10000000', '10000000', '1000000'};
+        reason = sprintf('%s ''nan'' is not from -%s to %s', ...
+                         names_{i}, far{i}, far{i});
         wrong([head(), lines(strjoin([{'POSE'}, tokens]))], 7, reason);
         wrong([head(), flaser_line('1', '1', strjoin(tokens))], 7, reason);
         wrong([head(), robot_line('1', '1', '0', '', strjoin(tokens))], 7, ...
@@ -371,6 +416,10 @@ function wrong_together()
     wrong(settings_lines('l_min', '0.1', 'l_max', '2'), 8, reason);
     wrong(settings_lines('p0', '0.9', 'beams', '3', 'l_max', '2'), 9, reason);
     wrong(settings_lines('p0', '0.99999'), 7, reason);
+    reason = 'occgrid_min_range is not below occgrid_max_range';
+    wrong(settings_lines('min_range', '2'), 7, reason);
+    wrong(settings_lines('min_range', '2', 'beams', '3', 'max_range', '1'), ...
+        8, reason);
 end
 
 function wrong_scans()
@@ -442,6 +491,8 @@ function which_first()
         'start ''a'' is not a number');
     wrong([head(), lines('POSE 0 0 0', '9', 'POSE x y z')], 8, ...
         '''9'' is not a keyword');
-    wrong([head(), lines('POSE 2000000 x z')], 7, ...
-        'x ''2000000'' is not from -1000000 to 1000000');
+    wrong([head(), lines('POSE 20000000 x z')], 7, ...
+        'x ''20000000'' is not from -10000000 to 10000000');
+    wrong([head(), flaser_line('1', '1', '1 2 2000000')], 7, ...
+        'theta ''2000000'' is not from -1000000 to 1000000');
 end

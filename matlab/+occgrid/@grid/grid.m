@@ -3,13 +3,19 @@ classdef grid
     %
     %   spec = occgrid.grid.grid_spec(width, height, resolution, ...
     %                                 origin_x, origin_y)
-    %   map = occgrid.grid.occupancy_grid(spec, p0, p_occ, p_free, ...
-    %                                     l_min, l_max)
-    %   [gx, gy] = occgrid.grid.world_to_grid(map, x, y)
-    %   [x, y] = occgrid.grid.grid_to_world_center(map, gx, gy)
-    %   inside = occgrid.grid.in_bounds(map, gx, gy)
-    %   map = occgrid.grid.update_cell(map, gx, gy, l_update)
-    %   p = occgrid.grid.probability_grid(map)
+    %   l = occgrid.grid.logit(p)
+    %   p = occgrid.grid.sigmoid(log_odds)
+    %   grid = occgrid.grid.occupancy_grid(spec, p0, p_occ, p_free, ...
+    %                                      l_min, l_max)
+    %   [gx, gy] = occgrid.grid.world_to_grid(grid, x, y)
+    %   [x, y] = occgrid.grid.grid_to_world_center(grid, gx, gy)
+    %   inside = occgrid.grid.in_bounds(grid, gx, gy)
+    %   grid = occgrid.grid.update_cell(grid, gx, gy, l_update)
+    %   grid = occgrid.grid.update_cells(grid, gx, gy, l_update)
+    %   p = occgrid.grid.probability_grid(grid)
+    %
+    %   A grid is a struct, so it is a value: an update returns the grid with
+    %   the update in it, and leaves every other grid as it was.
     %
     %   Cells are numbered from 0, as in the lesson; only the array log_odds
     %   is indexed from 1. This class has a folder of its own because Octave
@@ -50,131 +56,74 @@ classdef grid
 
         % [/snippet]
 
-        function map = occupancy_grid(spec, p0, p_occ, p_free, l_min, l_max)
+        function grid = occupancy_grid(spec, p0, p_occ, p_free, l_min, l_max)
             % OCCUPANCY_GRID  Log-odds of every cell, and what an update adds.
             %
-            %   map.log_odds: (height, width); row 1 is the row with the
+            %   grid.log_odds: (height, width); row 1 is the row with the
             %   smallest y. Every cell starts at l0 = logit(p0). l_min and
             %   l_max bound each cell after each update; l0 lies between them.
             %   The lesson's values: 0.5, 0.75, 0.30, -8, 8.
-            map.spec = spec;
-            map.l0 = occgrid.grid.logit(p0);
-            map.l_occ = occgrid.grid.logit(p_occ);
-            map.l_free = occgrid.grid.logit(p_free);
-            map.l_min = l_min;
-            map.l_max = l_max;
-            map.log_odds = repmat(map.l0, spec.height, spec.width);
+            grid.spec = spec;
+            grid.l0 = occgrid.grid.logit(p0);
+            grid.l_occ = occgrid.grid.logit(p_occ);
+            grid.l_free = occgrid.grid.logit(p_free);
+            grid.l_min = l_min;
+            grid.l_max = l_max;
+            grid.log_odds = repmat(grid.l0, spec.height, spec.width);
         end
 
         % [snippet: world-to-grid]
-        function [gx, gy] = world_to_grid(map, x, y)
+        function [gx, gy] = world_to_grid(grid, x, y)
             % WORLD_TO_GRID  Cells of points in metres; also outside.
-            spec = map.spec;
+            spec = grid.spec;
             gx = floor((x - spec.origin_x) ./ spec.resolution);
             gy = floor((y - spec.origin_y) ./ spec.resolution);
         end
 
-        function [x, y] = grid_to_world_center(map, gx, gy)
+        function [x, y] = grid_to_world_center(grid, gx, gy)
             % GRID_TO_WORLD_CENTER  Centres of cells in metres.
-            spec = map.spec;
+            spec = grid.spec;
             x = spec.origin_x + (gx + 0.5) .* spec.resolution;
             y = spec.origin_y + (gy + 0.5) .* spec.resolution;
         end
 
-        function inside = in_bounds(map, gx, gy)
+        function inside = in_bounds(grid, gx, gy)
             % IN_BOUNDS  Whether cells lie in the grid.
-            inside = 0 <= gx & gx < map.spec.width & ...
-                0 <= gy & gy < map.spec.height;
+            inside = 0 <= gx & gx < grid.spec.width & ...
+                0 <= gy & gy < grid.spec.height;
         end
 
         % [/snippet]
 
         % [snippet: update-cell]
-        function map = update_cell(map, gx, gy, l_update)
+        function grid = update_cell(grid, gx, gy, l_update)
             % UPDATE_CELL  Add the evidence l_update - l0 to one cell, clamped.
             %
             %   A cell outside the grid is skipped.
-            if occgrid.grid.in_bounds(map, gx, gy)
-                value = map.log_odds(gy + 1, gx + 1) + (l_update - map.l0);
-                value = min(max(value, map.l_min), map.l_max);
-                map.log_odds(gy + 1, gx + 1) = value;
+            if occgrid.grid.in_bounds(grid, gx, gy)
+                value = grid.log_odds(gy + 1, gx + 1) + (l_update - grid.l0);
+                value = min(max(value, grid.l_min), grid.l_max);
+                grid.log_odds(gy + 1, gx + 1) = value;
             end
+        end
+
+        function grid = update_cells(grid, gx, gy, l_update)
+            % UPDATE_CELLS  The same for several cells, no cell twice.
+            %
+            %   gx, gy: of one shape. A cell outside the grid is skipped.
+            inside = occgrid.grid.in_bounds(grid, gx, gy);
+            cells = gx(inside) .* grid.spec.height + gy(inside) + 1;
+            values = grid.log_odds(cells) + (l_update - grid.l0);
+            values = min(max(values, grid.l_min), grid.l_max);
+            grid.log_odds(cells) = values;
         end
 
         % [/snippet]
 
-        function map = update_cells(map, cells, order, occupied)
-            % UPDATE_CELLS  update_cell for many cells, in order.
-            %
-            %   cells: (n, 1) linear indices of log_odds, any of them
-            %   repeated; order: (n, 1) whole numbers from 0; occupied:
-            %   (n, 1), l_occ where true and l_free elsewhere. The updates of
-            %   one cell are applied in ascending order.
-            %
-            %   Cells are independent of each other: only the order of the
-            %   updates of one cell counts, and not even that where they are
-            %   all free. A loop over cells is slow in Octave; so the j-th
-            %   updates of all cells are applied at once.
-            if isempty(cells)
-                return
-            end
-            % the part of the grid that is touched, for grids larger than
-            % what a scan sees
-            before = min(cells) - 1;
-            cells = cells - before;
-            window = max(cells);
-            mixed = false(window, 1);
-            mixed(cells(occupied)) = true;
-
-            % most cells: free updates only, so that their number is enough
-            free = map.l_free - map.l0;
-            counts = accumarray(cells, 1, [window, 1]);
-            touched = find(counts > 0 & ~mixed);
-            counts = counts(touched);
-            values = reshape(map.log_odds(touched + before), [], 1);
-            left = (1:numel(touched))';
-            j = 0;
-            while ~isempty(left)
-                old = values(left);
-                new = min(max(old + free, map.l_min), map.l_max);
-                values(left) = new;
-                j = j + 1;
-                % an update that changed nothing would change nothing again
-                left = left(counts(left) > j & new ~= old);
-            end
-            map.log_odds(touched + before) = values;
-
-            % cells with a hit among the updates: sorted by cell, in order
-            % within it
-            i = find(mixed(cells));
-            if isempty(i)
-                return
-            end
-            [~, by_cell] = sort(cells(i) .* (max(order) + 1) + order(i));
-            i = i(by_cell);
-            cells = cells(i);
-            steps = repmat(free, numel(i), 1);
-            steps(occupied(i)) = map.l_occ - map.l0;
-            starts = find([true; diff(cells) ~= 0]);
-            counts = diff([starts; numel(cells) + 1]);
-            [counts, most_first] = sort(counts, 'descend');
-            starts = starts(most_first);
-            touched = cells(starts) + before;
-            values = reshape(map.log_odds(touched), [], 1);
-            % how many cells have a j-th update, j = 1, 2, ...
-            reached = flipud(cumsum(flipud(accumarray(counts, 1))));
-            for j = 1:numel(reached)
-                head = 1:reached(j);
-                new = values(head) + steps(starts(head) + j - 1);
-                values(head) = min(max(new, map.l_min), map.l_max);
-            end
-            map.log_odds(touched) = values;
-        end
-
         % [snippet: probability-grid]
-        function p = probability_grid(map)
+        function p = probability_grid(grid)
             % PROBABILITY_GRID  P(occupied) of every cell, (height, width).
-            p = occgrid.grid.sigmoid(map.log_odds);
+            p = occgrid.grid.sigmoid(grid.log_odds);
         end
 
         % [/snippet]

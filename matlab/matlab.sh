@@ -1,0 +1,61 @@
+#!/bin/sh
+# Runs the port: on MATLAB where matlab is on the PATH, else on Octave.
+# MATLAB=octave asks for Octave where both are there.
+#
+#   sh matlab.sh occgrid [OPTION...] [SCENARIO...]
+#   sh matlab.sh probe FUNCTION INPUT OUTPUT
+#   sh matlab.sh check
+
+here=$(cd "$(dirname "$0")" && pwd)
+
+# Prints its arguments as the arguments of a MATLAB function: 'a', 'it''s'. A
+# line end cannot stand between quotes: ['a', newline, 'b'].
+literals() {
+    separator=
+    for argument in "$@"; do
+        printf "%s[" "$separator"
+        printf '%s\n' "$argument" | LC_ALL=C awk -v q="'" '{
+            gsub(q, q q)
+            printf "%s%s%s%s", (NR > 1 ? ", newline, " : ""), q, $0, q
+        }'
+        printf ']'
+        separator=', '
+    done
+}
+
+# Runs a command. A signal that ends this script goes to the command first,
+# which removes its temporary files; its input is this script's own.
+run() {
+    exec 3<&0
+    "$@" <&3 3<&- &
+    child=$!
+    for signal in HUP INT TERM; do
+        trap "kill -s $signal $child; wait $child; trap - $signal;
+              kill -s $signal $$" $signal
+    done
+    wait $child
+    exit $?
+}
+
+verb=$1
+shift
+case $verb in
+    occgrid) octave=$here/occgrid_cli.m ;;
+    probe) octave=$here/tests/run_probe.m ;;
+    check) octave=$here/tests/run_check.m ;;
+    *) echo "usage: sh matlab.sh occgrid|probe|check [ARGUMENT...]" >&2
+       exit 2 ;;
+esac
+if [ "$MATLAB" != octave ] && command -v matlab > /dev/null; then
+    paths="addpath($(literals "$here")); addpath($(literals "$here/tests"));"
+    case $verb in
+        occgrid) call="exit(occgrid.main($(literals "$@")))" ;;
+        probe) call="probe($(literals "$@"))" ;;
+        check) call="matlab_check" ;;
+    esac
+    run matlab -batch "$paths $call"
+elif command -v octave-cli > /dev/null; then
+    run octave-cli --no-history --norc --quiet "$octave" "$@"
+fi
+echo "matlab.sh: neither matlab nor octave-cli is there" >&2
+exit 1
