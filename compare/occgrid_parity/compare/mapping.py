@@ -11,7 +11,7 @@ from pathlib import Path
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.process_group import Finished, run_process
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenarios import ScenarioFile
+from occgrid_parity.suite.scenarios import ScenarioFile, count_scans
 
 
 @dataclass(frozen=True)
@@ -25,12 +25,29 @@ class Mapped:
     finished: Finished
 
 
+def left_out(port: Port, scenario: ScenarioFile, mode: Mode) -> str | None:
+    """Why a port does not map this one, or None where it does.
+
+    A slow port maps by its plain program what has few scans, and the built-in lesson once.
+    """
+    most = port.plain_scans
+    if most is None or not mode.plain:
+        return None
+    if scenario.path is None:
+        if mode.seed is None:
+            return None
+    elif count_scans(scenario.path) <= most:
+        return None
+    return f"plain, it maps scenarios of at most {most} scans and the built-in lesson without noise"
+
+
 def batches(
-    port: Port, scenarios: Sequence[ScenarioFile]
+    port: Port, scenarios: Sequence[ScenarioFile], mode: Mode
 ) -> list[list[ScenarioFile]]:
     """The scenarios as they go to processes: the built-in lesson alone."""
-    files = [scenario for scenario in scenarios if scenario.path is not None]
-    alone = [[scenario] for scenario in scenarios if scenario.path is None]
+    mapped = [one for one in scenarios if left_out(port, one, mode) is None]
+    files = [scenario for scenario in mapped if scenario.path is not None]
+    alone = [[scenario] for scenario in mapped if scenario.path is None]
     if not files:
         return alone
     return alone + ([files] if port.takes_many else [[file] for file in files])
