@@ -44,13 +44,18 @@ def left_out(port: Port, scenario: ScenarioFile, mode: Mode) -> str | None:
 def batches(
     port: Port, scenarios: Sequence[ScenarioFile], mode: Mode
 ) -> list[list[ScenarioFile]]:
-    """The scenarios as they go to processes: the built-in lesson alone."""
+    """The scenarios as they go to processes: the built-in lesson alone, those of a slow port a few at a time."""
     mapped = [one for one in scenarios if left_out(port, one, mode) is None]
     files = [scenario for scenario in mapped if scenario.path is not None]
     alone = [[scenario] for scenario in mapped if scenario.path is None]
     if not files:
         return alone
-    return alone + ([files] if port.takes_many else [[file] for file in files])
+    at_once = port.scenarios_at_once or max(1, len(files))
+    if not port.takes_many:
+        at_once = 1
+    return alone + [
+        files[i : i + at_once] for i in range(0, len(files), at_once)
+    ]
 
 
 def map_batch(
@@ -67,7 +72,9 @@ def map_batch(
     """
     if len(batch) == 1:
         return [_run(port, mode, batch, folder / _place(batch[0]), stop)]
-    together = _run(port, mode, batch, folder / "scenarios", stop)
+    together = _run(
+        port, mode, batch, folder / f"scenarios-from-{batch[0].name}", stop
+    )
     if (
         together.finished.succeeded
         or together.finished.start_error is not None

@@ -26,7 +26,8 @@ class Port:
     ``timeout`` and ``build_timeout`` are seconds: for one run of one scenario and
     for each build command. ``log_scans`` and ``probe_lines`` say how much of a real
     log and of a probe's input the tests give to a slow port (None: all), ``plain_scans``
-    up to how many scans it maps a scenario by its plain program.
+    up to how many scans it maps a scenario by its plain program, ``scenarios_at_once`` how
+    many scenarios one process of it takes, so that several processes share the work.
     """
 
     name: str
@@ -41,6 +42,7 @@ class Port:
     build_timeout: float = 900.0
     log_scans: int | None = None
     plain_scans: int | None = None
+    scenarios_at_once: int | None = None
     probe_lines: int | None = None
 
     @property
@@ -109,6 +111,7 @@ def read_port(path: Path) -> Port:
         build_timeout=reader.seconds("build_timeout", Port.build_timeout),
         log_scans=reader.count("log_scans"),
         plain_scans=reader.count("plain_scans"),
+        scenarios_at_once=reader.count("scenarios_at_once"),
         probe_lines=reader.count("probe_lines"),
     )
     reader.no_more_keys()
