@@ -10,7 +10,7 @@ Bresenham[gx0_Integer, gy0_Integer, gx1_Integer, gy1_Integer] := With[{
     sx = If[gx0 < gx1, 1, -1],
     sy = If[gy0 < gy1, 1, -1]},
   With[{
-      k = Range[0, Max[dx, dy]],
+      k = stepsUpTo[Max[dx, dy]],
       a = Max[dx, dy, 1],  (* a line of one cell has step 0 only *)
       b = Min[dx, dy]},
     With[{minor = Quotient[((2*b)*k) + (a - 1), 2*a]},
@@ -18,6 +18,9 @@ Bresenham[gx0_Integer, gy0_Integer, gx1_Integer, gy1_Integer] := With[{
         {gx0 + (sx*k), gy0 + (sy*minor)},
         {gx0 + (sx*minor), gy0 + (sy*k)}]]]] /;
   Max[Abs[gx1 - gx0], Abs[gy1 - gy0]] <= 2^20;
+
+(* 0 .. n; woxi's Range holds a million numbers at most *)
+stepsUpTo[n_] := If[n < 1000000, Range[0, n], Table[k, {k, 0, n}]];
 (* [/snippet] *)
 Bresenham[___] := wrongArguments[Bresenham];
 
