@@ -13,15 +13,6 @@
 
 BeginPackage["OccupancyGrid`"];
 
-OccupancyGrid::usage = "OccupancyGrid[spec, p0, pOcc, pFree, lMin, lMax] is \
-a new grid of which every cell is l0 = Logit[p0]: the value {model, logOdds}. \
-The model is an association: the spec, l0, lOcc and lFree (the log-odds that \
-UpdateCell takes for a hit and for a free cell), lMin and lMax. The log-odds \
-are one flat list, the row with the smallest y first; LogOdds gives them row \
-by row. A grid owns its cells: a copy of it does not change with it.";
-$OccupancyGridFolder::usage = "$OccupancyGridFolder is the folder of \
-OccupancyGrid.wl. It is set before the package is read where the interpreter \
-does not say where a file lies (woxi).";
 OccupancyGrid::folder = "woxi does not say where OccupancyGrid.wl lies. Run \
 the script from the folder mathematica or the one above it, or set \
 $OccupancyGridFolder to the folder mathematica before Get.";

@@ -49,7 +49,7 @@ Logit[___] := wrongArguments[Logit];
 Sigmoid[logOdds_List?numbersQ] := Module[{z, inside},
   z = PortableExp[-Abs[logOdds]];
   inside = UnitStep[logOdds];
-  DivideEach[inside + ((1 - inside)*z), 1. + z]];
+  divideEach[inside + ((1 - inside)*z), 1. + z]];
 Sigmoid[logOdds_?NumberQ] := First[Sigmoid[{logOdds}]];
 (* [/snippet] *)
 Sigmoid[___] := wrongArguments[Sigmoid];
@@ -76,8 +76,8 @@ WorldToGrid[grid_, x_?numbersQ, y_?numbersQ] /; gridQ[grid] := With[{
     originX = grid[[1]]["originX"],
     originY = grid[[1]]["originY"],
     resolution = grid[[1]]["resolution"]},
-  {Floor[DivideEach[x - originX, resolution]],
-    Floor[DivideEach[y - originY, resolution]]}];
+  {Floor[divideEach[x - originX, resolution]],
+    Floor[divideEach[y - originY, resolution]]}];
 
 GridToWorldCenter[grid_, gx_Integer, gy_Integer] /; gridQ[grid] := With[{
     originX = grid[[1]]["originX"],
@@ -86,7 +86,8 @@ GridToWorldCenter[grid_, gx_Integer, gy_Integer] /; gridQ[grid] := With[{
   {originX + ((gx + 0.5)*resolution), originY + ((gy + 0.5)*resolution)}];
 
 InBounds[grid_, gx_Integer, gy_Integer] /; gridQ[grid] :=
-  0 <= gx < grid[[1]]["width"] && 0 <= gy < grid[[1]]["height"];
+  gx >= 0 && gx - grid[[1]]["width"] < 0 &&
+    gy >= 0 && gy - grid[[1]]["height"] < 0;
 (* [/snippet] *)
 WorldToGrid[___] := wrongArguments[WorldToGrid];
 GridToWorldCenter[___] := wrongArguments[GridToWorldCenter];

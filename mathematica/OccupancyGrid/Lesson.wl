@@ -31,7 +31,7 @@ LessonWorld[] := Join[
 
 (* [snippet: lesson-poses] *)
 LessonPoses[] := Module[{ang, x, y},
-  ang = (2.*PortablePi)*DivideEach[N[Range[0, 119]], 120.];
+  ang = (2.*PortablePi)*divideEach[N[Range[0, 119]], 120.];
   x = -6. + (6.*PortableCos[ang]);
   y = 0. + (4.*PortableSin[ang]);
   MapThread[Pose, {x, y, ang + Divide[PortablePi, 2.]}]];

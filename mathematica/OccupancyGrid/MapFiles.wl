@@ -58,7 +58,7 @@ leftoverQ[name_] := StringMatchQ[name,
 (* woxi has no FileDate and leaves it as it is *)
 oldFileQ[path_] := With[{date = FileDate[path]},
   If[Head[date] === DateObject,
-    AbsoluteTime[] - AbsoluteTime[date] - 86400 > 0,
+    (AbsoluteTime[] - AbsoluteTime[date]) - 86400 > 0,
     Run[StringJoin["test -n \"$(find ", shellQuoted[path],
       " -maxdepth 0 -type f -mmin +1440)\" 2> /dev/null"]] === 0]];
 

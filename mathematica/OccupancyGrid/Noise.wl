@@ -41,8 +41,8 @@ wordsQ[words_] := ListQ[words] && MemberQ[{2, 4}, Length[words]] &&
 NormalDeviate[seed_Integer, scan_Integer, beam_List] := Module[
   {zero = 0*beam, w, u1, u2, radius},
   w = Philox4x32[{zero + scan, beam, zero, zero}, {seed, 0}];
-  u1 = DivideEach[w[[1]] + 0.5, 4294967296.];
-  u2 = DivideEach[w[[2]] + 0.5, 4294967296.];
+  u1 = divideEach[w[[1]] + 0.5, 4294967296.];
+  u2 = divideEach[w[[2]] + 0.5, 4294967296.];
   radius = MapThread[Sqrt, {-2.*PortableLog[u1]}];
   radius*PortableCos[(2.*PortablePi)*u2]];
 (* [/snippet] *)

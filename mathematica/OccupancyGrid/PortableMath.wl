@@ -26,10 +26,10 @@ PortablePi = 3.141592653589793;
    Lists are divided element by element, and by MapThread: the Wolfram kernel
    may multiply a whole list by reciprocals, and so may the code that it makes
    of Map or Table over a long one. *)
-DivideEach[x_List, y_List] := MapThread[Divide, {x, y}];
-DivideEach[x_List, y_] := DivideEach[x, ConstantArray[y, Length[x]]];
-DivideEach[x_, y_List] := DivideEach[ConstantArray[x, Length[y]], y];
-DivideEach[x_, y_] := Divide[x, y];
+divideEach[x_List, y_List] := MapThread[Divide, {x, y}];
+divideEach[x_List, y_] := divideEach[x, ConstantArray[y, Length[x]]];
+divideEach[x_, y_List] := divideEach[ConstantArray[x, Length[y]], y];
+divideEach[x_, y_] := Divide[x, y];
 
 (* 2^k for k = -1074 .. 1023, made by exact steps *)
 SetAttributes[quietly, HoldFirst];
@@ -339,7 +339,7 @@ With[{
     t = r*r;
     c = r - (t*(p1 + (t*(p2 + (t*(p3 + (t*(p4 + (t*p5)))))))));
     (* with k = 0 this is 1 - ((r c)/(c - 2) - r), bit by bit *)
-    y = 1. - ((lo - DivideEach[r*c, 2. - c]) - hi);
+    y = 1. - ((lo - divideEach[r*c, 2. - c]) - hi);
     choose[atLeast[size, tiny], scaled[y, k], 1. + x]]];
 
 PortableExp[x_?NumericQ] := Which[
@@ -383,7 +383,7 @@ With[{
     hi = dk*ln2High;
     lo = dk*ln2Low;
 
-    s = DivideEach[f, 2. + f];
+    s = divideEach[f, 2. + f];
     z = s*s;
     w = z*z;
     t1 = w*(g2 + (w*(g4 + (w*g6))));

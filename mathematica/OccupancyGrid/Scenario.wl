@@ -165,7 +165,7 @@ readLines[file_] := Module[{path = plainPath[file], bytes, lines},
   lines[[-1]] = StringDrop[Last[lines], -1];
   If[Last[lines] === "", Most[lines], lines]];
 
-skippedForm = RegularExpression["(?s)[ \t]*(#.*)?\r?"];
+skippedForm = RegularExpression["(?s)[ \t]*(#.*)?"];
 asciiForm = RegularExpression["[ -~\t]*"];
 keywordForm = RegularExpression["[A-Za-z_][A-Za-z0-9_]*"];
 

@@ -18,7 +18,7 @@ scanQ[_] := False;
 BeamAngles[fov_?NumberQ, nBeams_Integer] := If[nBeams == 1,
   {0.},
   With[{i = N[Range[nBeams] - 1]},
-    -Divide[fov, 2.] + DivideEach[fov*i, nBeams - 1.]]];
+    -Divide[fov, 2.] + divideEach[fov*i, nBeams - 1.]]];
 (* [/snippet] *)
 BeamAngles[___] := wrongArguments[BeamAngles];
 

@@ -3,6 +3,10 @@
 
 Begin["OccupancyGrid`"];
 
+$OccupancyGridFolder::usage = "$OccupancyGridFolder is the folder of \
+OccupancyGrid.wl. It is set before the package is read where the interpreter \
+does not say where a file lies (woxi).";
+
 (* --- portable_math --- *)
 
 PortablePi::usage = "PortablePi is pi as a machine number.";
@@ -43,6 +47,12 @@ Logit::usage = "Logit[p] is the log-odds of a probability, which is kept \
 within [1e-9, 1 - 1e-9] (lesson section 3).";
 Sigmoid::usage = "Sigmoid[logOdds] is the probability of log-odds, a number \
 or a list; no overflow at either end (lesson section 3).";
+OccupancyGrid::usage = "OccupancyGrid[spec, p0, pOcc, pFree, lMin, lMax] is \
+a new grid of which every cell is l0 = Logit[p0]: the value {model, logOdds}. \
+The model is an association: the spec, l0, lOcc and lFree (the log-odds that \
+UpdateCell takes for a hit and for a free cell), lMin and lMax. The log-odds \
+are one flat list, the row with the smallest y first; LogOdds gives them row \
+by row. A grid owns its cells: a copy of it does not change with it.";
 LogOdds::usage = "LogOdds[grid] gives the log-odds, height lists of width \
 numbers; the first list is the row with the smallest y.";
 WorldToGrid::usage = "WorldToGrid[grid, x, y] gives the cell {gx, gy} of a \

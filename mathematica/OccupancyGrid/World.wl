@@ -34,8 +34,8 @@ RaySegmentIntersection[rx_, ry_, rdx_List, rdy_List, wall_?segmentQ] := Module[
     (* 1 where the ray is parallel to the wall: no distance is asked for *)
     parallel = 1 - UnitStep[Abs[rxs] - 1.*^-12];
     rxs = ((1 - parallel)*rxs) + parallel;
-    t = DivideEach[(qpx*sy) - (qpy*sx), rxs];
-    u = DivideEach[(qpx*rdy) - (qpy*rdx), rxs]];
+    t = divideEach[(qpx*sy) - (qpy*sx), rxs];
+    u = divideEach[(qpx*rdy) - (qpy*rdx), rxs]];
   MapThread[
     If[#1 == 0 && #2 >= 0 && #3 >= 0 && #3 - 1. <= 0, #2, Infinity] &,
     {parallel, t, u}]];
@@ -43,7 +43,8 @@ RaySegmentIntersection[rx_, ry_, rdx_List, rdy_List, wall_?segmentQ] := Module[
 RaySegmentIntersection[___] := wrongArguments[RaySegmentIntersection];
 
 (* [snippet: simulate-lidar-scan] *)
-SimulateLidarScan[pose_?poseQ, walls_List, angles_List?numbersQ, zMax_] := Module[
+SimulateLidarScan[pose_?poseQ, walls_List, angles_List?numbersQ,
+    zMax_] := Module[
   {beam, rdx, rdy, nearest, t},
   beam = pose[[3]] + angles;
   rdx = PortableCos[beam];

@@ -133,6 +133,7 @@ ComparisonComplaints[text_] := Module[{tokens = codeTokens[text], next},
       Nothing],
     {i, Length[tokens]}]];
 
-endQ[token_] := closeQ[token] || MemberQ[{",", ";", "&&", "||", "&"}, token];
+endQ[token_] := closeQ[token] ||
+  MemberQ[{",", ";", "&&", "||", "&", ":="}, token];
 comparedWithWholeQ[a_, b_, c_, d_] := wholeQ[a] && (
   endQ[b] || (b === "^" && wholeQ[c] && endQ[d]));
