@@ -21,6 +21,16 @@ import { Pose, raySegmentIntersection } from "../../src/world.js";
 /** @typedef {ReturnType<typeof contractSteps>} Steps */
 /** @typedef {{name: string, title: string, lesson: string, plant: (steps: Steps) => void}} Mistake */
 
+/** Which cells of a line are updated, and which of them as occupied. @param {Line} line @param {boolean} hit @returns {[number, boolean][]} */
+function allCells(line, hit) {
+  return line.cells.map((_, k) => [k, hit && k === line.last]);
+}
+
+/** The updates of one scan, before they are applied. @param {Update[]} updates @returns {Update[]} */
+function allUpdates(updates) {
+  return updates;
+}
+
 /**
  * The steps of the contract (SPEC.md sections 2 and 3).
  *
@@ -108,11 +118,8 @@ export function contractSteps({ settings, walls }) {
       const cells = bresenham(from.gx, from.gy, to.gx, to.gy);
       return { cells, last: cells.length - 1 };
     },
-    /** Which cells of a line are updated, and which of them as occupied. @returns {[number, boolean][]} */
-    evidence: (/** @type {Line} */ line, /** @type {boolean} */ hit) =>
-      line.cells.map((_, k) => [k, hit && k === line.last]),
-    /** The updates of one scan, before they are applied. @returns {Update[]} */
-    withinScan: (/** @type {Update[]} */ updates) => updates,
+    evidence: allCells,
+    withinScan: allUpdates,
 
     // --- the files (2.6, 7) ---
     pixel: (/** @type {number} */ p) => Math.floor((1 - p) * 255 + 0.5),
@@ -164,21 +171,41 @@ export class MistakenMapper {
   add(logOdds, number) {
     const { steps } = this;
     const [free, occupied] = steps.deltas();
-    for (const update of steps.withinScan(this.updates(number))) {
-      const at = steps.place(update.gx, update.gy);
-      if (at < 0) continue;
-      const delta = update.occupied ? occupied : free;
-      logOdds[at] = steps.clamp(logOdds[at] + delta);
+    const update = (
+      /** @type {Cell} */ { gx, gy },
+      /** @type {boolean} */ hit,
+    ) => {
+      const at = steps.place(gx, gy);
+      if (at >= 0) {
+        logOdds[at] = steps.clamp(logOdds[at] + (hit ? occupied : free));
+      }
+    };
+    if (steps.evidence === allCells && steps.withinScan === allUpdates) {
+      // the same without a list of updates, which takes most of the time
+      for (const { line, hit } of this.lines(number)) {
+        const { cells, last } = line;
+        for (let k = 0; k < cells.length; k++) {
+          update(cells[k], hit && k === last);
+        }
+      }
+      return;
     }
+    /** @type {Update[]} */
+    const updates = [];
+    for (const { line, hit } of this.lines(number)) {
+      for (const [k, isOccupied] of steps.evidence(line, hit)) {
+        updates.push({ ...line.cells[k], occupied: isOccupied });
+      }
+    }
+    for (const one of steps.withinScan(updates)) update(one, one.occupied);
   }
 
   /**
-   * The updates of a scan, in order.
+   * The lines of a scan, in order.
    *
    * @param {number} number
-   * @returns {Update[]}
    */
-  updates(number) {
+  lines(number) {
     const { steps } = this;
     const { pose, angles, ranges } = this.scan(number);
     const from = steps.toGrid(pose.x, pose.y);
@@ -195,16 +222,10 @@ export class MistakenMapper {
       const span = Math.abs(to.gx - from.gx) + Math.abs(to.gy - from.gy);
       most = Math.max(most, 2 * span + 1);
     }
-    /** @type {Update[]} */
-    const updates = [];
-    for (const { to, hit } of beams) {
-      const line = steps.line(from, to, most);
-      for (const [k, occupied] of steps.evidence(line, hit)) {
-        const { gx, gy } = line.cells[k];
-        updates.push({ gx, gy, occupied });
-      }
-    }
-    return updates;
+    return beams.map(({ to, hit }) => ({
+      line: steps.line(from, to, most),
+      hit,
+    }));
   }
 
   /** @param {number} number @returns {Scan} */
