@@ -32,9 +32,12 @@ const NAMES = {
  * @returns {string}
  */
 export function scenarioText({ settings, walls, scans }) {
-  const lines = Object.entries(NAMES).map(
-    ([key, name]) => `PARAM occgrid_${name} ${Reflect.get(settings, key)}`,
-  );
+  const lines = Object.entries(NAMES)
+    // recorded ranges below it are NaN by now
+    .filter(([key]) => key !== "minRange")
+    .map(
+      ([key, name]) => `PARAM occgrid_${name} ${Reflect.get(settings, key)}`,
+    );
   for (const { x0, y0, x1, y1 } of walls) {
     lines.push(`WALL ${x0} ${y0} ${x1} ${y1}`);
   }

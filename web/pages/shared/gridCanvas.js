@@ -81,10 +81,13 @@ export class GridCanvas {
 
   /** The place in cells under the pointer. @param {MouseEvent} event */
   under(event) {
-    const box = this.canvas.getBoundingClientRect();
+    const { canvas } = this;
+    const box = canvas.getBoundingClientRect();
+    const across = event.clientX - box.left - canvas.clientLeft;
+    const down = event.clientY - box.top - canvas.clientTop;
     return {
-      gx: (event.clientX - box.left) / this.scale,
-      gy: this.size.height - (event.clientY - box.top) / this.scale,
+      gx: across / this.scale,
+      gy: this.size.height - down / this.scale,
     };
   }
 
