@@ -28,6 +28,7 @@ const MOST_ROWS = 400;
 
 export class CellFigure {
   #key = "";
+  #moment = "";
   /** @type {CellUpdate[]} */
   #updates = [];
 
@@ -82,6 +83,9 @@ export class CellFigure {
       row.value = `${gy}`;
       this.#rows();
     }
+    const moment = `${key} ${lab.scan} ${lab.beam}`;
+    if (moment === this.#moment) return;
+    this.#moment = moment;
     const updates = this.#updates;
     const past = updates.filter(
       ({ scan, beam }) =>
@@ -95,7 +99,7 @@ export class CellFigure {
       element("cell-words"),
       `Cell gx=${gx} gy=${gy}: ${plural(past, "update")} of ${updates.length} so far, ${past - hits} free and ${hits} occupied. Log-odds ${value}, P(occupied) ${sigmoid(value).toFixed(6)}, pixel ${pixel(value)}. Its bounds are ${shown(settings.lMin, 2)} and ${shown(settings.lMax, 2)}.`,
     );
-    this.#curve(past, value);
+    this.#curve(past, value, fresh);
     this.#current(past);
   }
 
@@ -151,8 +155,8 @@ export class CellFigure {
       scroll.scrollTop = row.offsetTop - scroll.clientHeight / 2;
   }
 
-  /** @param {number} past @param {number} value now */
-  #curve(past, value) {
+  /** @param {number} past @param {number} value now @param {boolean} fresh whether it is another curve */
+  #curve(past, value, fresh) {
     const { lab } = this;
     const { settings } = lab.world;
     const { lMin, lMax } = settings;
@@ -193,8 +197,7 @@ export class CellFigure {
     }
     parts.push(
       `<text x="${(left + width - right) / 2}" y="${height - 3}" text-anchor="middle">scans</text>`,
-      `<text x="4" y="12">log-odds</text>`,
-      `<path d="M${x(lab.scan - 1 + lab.beam / lab.beams)} ${top - 6}V${height - bottom}" stroke="var(--robot)" stroke-width="2"/>`,
+      `<text x="${left + 6}" y="12">log-odds</text>`,
     );
     let path = `M${x(0)} ${y(values[0])}`;
     updates.forEach((update, i) => {
@@ -210,12 +213,18 @@ export class CellFigure {
         `<circle cx="${x(time(update)).toFixed(1)}" cy="${y(update.after).toFixed(1)}" r="${update.occupied ? 3 : 2.2}" fill="var(--${update.occupied ? "hit" : "free"})"/>`,
       );
     }
+    const now = [
+      `<path d="M${x(lab.scan - 1 + lab.beam / lab.beams)} ${top - 6}V${height - bottom}" stroke="var(--robot)" stroke-width="2"/>`,
+    ];
     if (past > 0) {
       const at = updates[past - 1];
-      parts.push(
+      now.push(
         `<circle cx="${x(time(at))}" cy="${y(value)}" r="6" fill="none" stroke="var(--robot)" stroke-width="2.5"/>`,
       );
     }
-    byId("curve", SVGSVGElement).innerHTML = parts.join("");
+    const curve = byId("curve", SVGSVGElement);
+    if (fresh) curve.innerHTML = `<g>${parts.join("")}</g><g></g>`;
+    const moving = curve.lastElementChild;
+    if (moving) moving.innerHTML = now.join("");
   }
 }

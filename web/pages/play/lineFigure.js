@@ -13,6 +13,7 @@ const LEAST_CELL = 17;
 
 export class LineFigure {
   #key = "";
+  #moment = "";
   /** @type {ReturnType<typeof traceLine>} */
   #trace = traceLine(0, 0, 0, 0);
   #timer = 0;
@@ -132,6 +133,9 @@ export class LineFigure {
       });
     }
     lab.step = Math.min(lab.step, this.#last);
+    const moment = [key, lab.step, this.#timer, lab.scan, beam, ends, hit];
+    if (JSON.stringify(moment) === this.#moment) return;
+    this.#moment = JSON.stringify(moment);
     const { stops, cells } = this.#trace;
     const stop = stops[lab.step];
     const slider = input("line-step");

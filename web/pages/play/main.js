@@ -70,6 +70,10 @@ Object.assign(window, {
   occgridPage: {
     lab,
     changed,
+    figures,
+    render: () => {
+      for (const figure of figures) figure.render();
+    },
     hash: () => hashOfMap(lab.maps().now),
   },
 });

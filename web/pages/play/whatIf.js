@@ -3,7 +3,7 @@
 import { sigmoid } from "../../src/grid.js";
 import { MISTAKES } from "../model/mistakes.js";
 import {
-  colours,
+  byId,
   counted,
   element,
   input,
@@ -49,10 +49,12 @@ export class WhatIf {
   constructor(lab, changed) {
     this.lab = lab;
     const canvas = /** @type {HTMLCanvasElement} */ (element("wrong-view"));
-    this.view = new GridCanvas(canvas, () => {
+    const redraw = () => {
       this.#key = "";
       changed();
-    });
+    };
+    this.view = new GridCanvas(canvas, redraw);
+    this.right = new GridCanvas(byId("right-view", HTMLCanvasElement), redraw);
     element("switches").append(
       ...SWITCHES.map((name) => {
         const mistake = MISTAKES.get(name);
@@ -140,7 +142,7 @@ export class WhatIf {
         image[4 * i + 3] = 255;
       }
     });
-    if (this.#cursor) this.view.frame(this.#cursor, colours()("robot"));
+    if (this.#cursor) this.view.frame(this.#cursor, "#6d28d9");
     const after = `after ${plural(scans, "scan")}`;
     setText(
       element("difference-words"),
@@ -150,12 +152,16 @@ export class WhatIf {
           ? `The picture has ${found.width} x ${found.height} pixels in place of ${width} x ${height}.`
           : `${counted(inPicture)} of ${counted(width * height)} cells differ in the picture ${after}, ${counted(inLogOdds)} in their log-odds.${inPicture + inLogOdds === 0 ? " Here nobody would notice." : ""}`,
     );
-    element("chosen-mistakes").replaceChildren(
-      ...Array.from(lab.mistakes, (name) => {
-        const mistake = MISTAKES.get(name);
-        return make("li", {}, `${mistake?.title}: ${mistake?.lesson}`);
-      }),
-    );
+    this.right.begin(settings);
+    this.right.paintCells((image) => {
+      for (let i = 0; i < right.length; i++) {
+        const row = height - 1 - Math.floor(i / width);
+        const out = 4 * (row * width + (i % width));
+        image.fill(grey[i], out, out + 3);
+        image[out + 3] = 255;
+      }
+    });
+    if (this.#cursor) this.right.frame(this.#cursor, "#6d28d9");
     this.#readOut(right, wrong);
   }
 
