@@ -5,9 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from pages_in_browser import GOLDEN, WEB, Open, unavailable
 from playwright.sync_api import Page
-
-from conftest import GOLDEN, WEB, Open, unavailable
 
 AXE = WEB / "node_modules" / "axe-core" / "axe.min.js"
 
@@ -36,7 +35,9 @@ def test_axe_finds_nothing(
         viewport={"width": width, "height": 900},
         color_scheme=scheme,
     )
-    page.evaluate("document.querySelectorAll('details').forEach(d => { d.open = true; })")
+    page.evaluate(
+        "document.querySelectorAll('details').forEach(d => { d.open = true; })"
+    )
     if name == "check":
         page.locator("#scenario").select_option("asymmetric")
         # of another mode: the noise has moved cells
@@ -49,5 +50,7 @@ def test_axe_finds_nothing(
 
 def test_axe_would_find_something(open_page: Open) -> None:
     page = open_page("play")
-    page.evaluate("document.querySelector('h1').innerHTML = '<img src=\"data:,\">'")
+    page.evaluate(
+        "document.querySelector('h1').innerHTML = '<img src=\"data:,\">'"
+    )
     assert any("image-alt" in one for one in violations(page))

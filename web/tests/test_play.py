@@ -7,9 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pages_in_browser import GOLDEN, Open, hash_of, log_odds_of, python_map
 from playwright.sync_api import Page
-
-from conftest import GOLDEN, Open, hash_of, log_odds_of, python_map
 
 HASH = "occgridPage.hash()"
 
@@ -117,7 +116,14 @@ def test_the_cell_under_the_mouse_is_that_of_the_files(
     scenario = saved_scenario(page, tmp_path)
     log_odds = python_map(scenario, tmp_path, "--noise-free")
     pixels = (tmp_path / "scenario.pgm").read_text().split()[4:]
-    for gx, gy in [(109, 90), (10, 95), (0, 0), (60, 110), (219, 179), (25, 60)]:
+    for gx, gy in [
+        (109, 90),
+        (10, 95),
+        (0, 0),
+        (60, 110),
+        (219, 179),
+        (25, 60),
+    ]:
         hover(page, "#map-view", gx + 0.5, gy + 0.5)
         said = words(page, "map-words")
         found = re.match(
@@ -208,7 +214,9 @@ def test_what_is_not_possible_is_said(open_page: Open) -> None:
     assert words(page, "settings-words") == ""
 
 
-def drag(page: Page, start: tuple[float, float], to: tuple[float, float]) -> None:
+def drag(
+    page: Page, start: tuple[float, float], to: tuple[float, float]
+) -> None:
     """From one place of the world to another, metres."""
     for i, (x, y) in enumerate((start, to)):
         hover(page, "#world-view", (x + 11) * 10, (y + 9) * 10)
@@ -265,7 +273,10 @@ def test_the_robot_is_dragged_turned_and_put_back(
     lines = scenario.splitlines()
     poses = [line for line in lines if line.startswith("POSE")]
     parts = [line for line in lines if not line.startswith("POSE")]
-    parts += [*poses[:30], f"POSE {free['x']!r} {free['y']!r} {free['theta']!r}"]
+    parts += [
+        *poses[:30],
+        f"POSE {free['x']!r} {free['y']!r} {free['theta']!r}",
+    ]
     expected = python_map("\n".join(parts) + "\n", tmp_path, "--noise-free")
     assert page.evaluate(HASH) == hash_of(expected) != before
     page.keyboard.press("Escape")
