@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import random
+import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,144 +18,10 @@ from parity.scenarios import scenario_from
 from parity.table import explain
 
 from .conftest import JOBS, PORTS
+from .random_scenarios import KINDS, kind_of, scenario_text
 
-COUNT = 40
+COUNT = 6 * len(KINDS)
 MODE = Mode(4294967295)
-
-
-def number(source: random.Random, low: float, high: float) -> str:
-    """A number between the limits, written in one of many ways."""
-    value = source.uniform(low, high)
-    form = source.choice(
-        ["{!r}", "{:.3f}", "{:+.17e}", "{:.25f}", "{:.0f}.", "{:.40g}", "{:E}"]
-    )
-    text = form.format(value)
-    return text if low <= float(text) <= high else repr(value)
-
-
-def a_range(source: random.Random, max_range: float) -> str:
-    """A recorded range, often one of those that are special."""
-    return source.choice(
-        [
-            *3 * [number(source, 0.0, max_range)],
-            number(source, 0.0, 2 * max_range),
-            *source.choices(
-                [
-                    "nan",
-                    "+NaN",
-                    "inf",
-                    "Infinity",
-                    "0",
-                    "-0",
-                    "-1e-301",
-                    "1e300",
-                ],
-                k=1,
-            ),
-            repr(max_range),
-            repr(max_range - 1e-12),
-            repr(max_range - 1.1e-12),
-            repr(round(source.uniform(0, max_range))),  # often on a cell edge
-            "81.91",
-        ]
-    )
-
-
-def scenario_text(seed: int) -> str:
-    """A scenario; the same for the same seed."""
-    source = random.Random(seed)
-
-    def gap() -> str:
-        return source.choice([" ", " ", "\t", "  ", " \t "])
-
-    width, height = source.randint(1, 70), source.randint(1, 70)
-    resolution = source.choice(
-        [0.05, 0.1, 0.25, 1.0, source.uniform(0.01, 2.0)]
-    )
-    extent = max(width, height) * resolution
-    max_range = source.choice(
-        [extent / 2, extent, 3 * extent, round(extent + 1)]
-    )
-    x0, y0 = source.choice(
-        [(-extent / 2, -extent / 2), (576.3, -0.1), (0.0, 0.0)]
-    )
-    parameters = {
-        "width": source.choice([str(width), f"00{width}"]),
-        "height": str(height),
-        "resolution": repr(resolution),
-        "origin_x": repr(x0),
-        "origin_y": repr(y0),
-        "max_range": repr(float(max_range)),
-    }
-    further = {
-        "p0": number(source, 0.2, 0.8),
-        "p_occ": number(source, 0.4, 0.9999999999),
-        "p_free": number(source, 1e-12, 0.6),
-        "l_min": number(source, -20, -2),
-        "l_max": number(source, 2, 20),
-        "no_return": source.choice(["free", "ignore"]),
-        "fov": number(source, 0, 6.28),
-        "beams": str(source.randint(1, 90)),
-        "noise_std": number(source, 0, 0.4 * resolution * 10),
-    }
-    for name in source.sample(
-        sorted(further), source.randint(0, len(further))
-    ):
-        parameters[name] = further[name]
-    names = list(parameters)
-    source.shuffle(names)
-
-    def x() -> str:
-        return number(source, x0 - 0.2 * extent, x0 + 1.2 * extent)
-
-    def y() -> str:
-        return number(source, y0 - 0.2 * extent, y0 + 1.2 * extent)
-
-    lines = ["# a random scenario", "PARAM robot_width 0.4", ""]
-    lines += [
-        gap().join(["PARAM", f"occgrid_{n}", parameters[n]]) for n in names
-    ]
-    for _ in range(source.randint(0, 7)):
-        wall = [x(), y(), x(), y()]
-        if source.random() < 0.5:  # upright, on a cell edge
-            edge = repr(x0 + source.randint(0, width) * resolution)
-            wall[0] = wall[2] = edge
-        lines.append(
-            gap().join(["WALL", *wall, *source.choice([[], ["#", "x"]])])
-        )
-    for _ in range(source.randint(1, 12)):
-        theta = number(source, -1, 1)
-        if source.random() < 0.3:
-            theta = number(source, -1e6, 1e6)
-        n = source.choice([1, 2, source.randint(3, 40), 180, 181])
-        ranges = [a_range(source, max_range) for _ in range(n)]
-        kind = source.choice(["POSE", "FLASER", "ROBOTLASER1", "ODOM"])
-        if kind == "POSE":
-            fields = [x(), y(), theta]
-        elif kind == "FLASER":
-            fields = [
-                str(n),
-                *ranges,
-                x(),
-                y(),
-                theta,
-                *"0 0 0 1e9 host x".split(),
-            ]
-        elif kind == "ROBOTLASER1":
-            m = source.choice([0, 0, n, 3])
-            start, step = number(source, -4, 4), number(source, -0.1, 0.1)
-            fields = ["0", start, "?", step, "?", "?", "#", str(n), *ranges]
-            fields += [str(m), *m * ["!"], x(), y(), theta, *11 * ["-"]]
-        else:
-            fields = ["anything", "#", "1e5"]
-        before, after = (
-            source.choice(["", "", " ", "\t"]),
-            source.choice(["", " "]),
-        )
-        lines.append(before + kind + gap() + gap().join(fields) + after)
-    lines.append(gap().join(["POSE", x(), y(), "0.5", "# the last"]))
-    end = source.choice(["\n", "\n", "\r\n"])
-    return end.join(lines) + source.choice([end, ""])
 
 
 @pytest.fixture(scope="session")
@@ -197,7 +64,7 @@ def test_maps_it_as_the_reference_does(
         )
 
 
-def test_the_scenarios_differ_and_reach_the_grid(maps: RunRecord) -> None:
+def test_the_scenarios_differ_and_are_the_same_in_every_run() -> None:
     texts = [scenario_text(seed) for seed in range(COUNT)]
     assert len(set(texts)) == COUNT
     assert texts == [scenario_text(seed) for seed in range(COUNT)]
@@ -207,18 +74,65 @@ def test_the_scenarios_differ_and_reach_the_grid(maps: RunRecord) -> None:
         "ROBOTLASER1",
         "WALL",
         "ignore",
+        "min_range",
         "\r\n",
         "nan",
         "1e300",
     ):
         assert sum(word in text for text in texts) > 4, word
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_scenarios_reach_the_grid(maps: RunRecord, kind: str) -> None:
+    """Of each kind, most maps have several values; at the limits a cell is known for certain or not at all."""
+    least = 2 if kind == "limits" else 3
     changed = 0
-    for result in maps.results:
-        if result.port == "python":
-            picture = (
-                (Path(maps.folder) / str(result.picture))
-                .read_text()
-                .split()[4:]
+    seeds = [seed for seed in range(COUNT) if kind_of(seed) == kind]
+    for seed in seeds:
+        result = maps.result("python", f"random-{seed}", MODE.name)
+        picture = Path(maps.folder) / str(result.picture)
+        changed += len(set(picture.read_text().split()[4:])) >= least
+    assert changed >= len(seeds) / 2
+
+
+def values_of(text: str) -> dict[str, str]:
+    """The parameters of a scenario."""
+    lines = [line.split() for line in text.splitlines()]
+    return {
+        fields[1].removeprefix("occgrid_"): fields[2]
+        for fields in lines
+        if fields[:1] == ["PARAM"]
+    }
+
+
+def test_the_scenarios_have_what_their_kinds_say() -> None:
+    fields: dict[str, set[float]] = {kind: set() for kind in KINDS}
+    for seed in range(COUNT):
+        text, kind = scenario_text(seed), kind_of(seed)
+        values = values_of(text)
+        numbers = {
+            float(word)
+            for line in text.splitlines()
+            if line.split()[:1] in (["FLASER"], ["POSE"], ["ROBOTLASER1"])
+            for word in line.split()[1:]
+            if re.fullmatch(r"[-+.0-9eE]+", word) and word not in "-+"
+        }
+        fields[kind] |= numbers
+        if kind == "reversed signs":
+            p_occ, p0, p_free = (
+                float(values[name]) for name in ("p_occ", "p0", "p_free")
             )
-            changed += len(set(picture)) > 2
-    assert changed > COUNT / 2
+            assert p_free > p0 > p_occ
+        if kind == "prior":
+            assert abs(float(values["p0"]) - 0.5) > 0.1
+        if kind == "horizon":
+            edge = float(values["max_range"])
+            assert {
+                edge,
+                math.nextafter(edge, 0),
+                math.nextafter(edge, math.inf),
+            } <= numbers
+        if kind == "least range":
+            edge = float(values["min_range"])
+            assert {edge, math.nextafter(edge, 0)} & numbers
+    assert {1e7, -1e7} <= fields["far"]

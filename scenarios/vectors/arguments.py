@@ -271,7 +271,7 @@ def lines() -> list[tuple[int, int, int, int]]:
         (0, 0, -999, 1),
         (5, 5, 5, -995),
     ]
-    return rows
+    return list(dict.fromkeys(rows))
 
 
 def clipped_lines() -> list[tuple[int, int, int, int, int, int]]:
@@ -368,7 +368,7 @@ def clipped_lines() -> list[tuple[int, int, int, int, int, int]]:
                 height,
             )
         )
-    return rows
+    return list(dict.fromkeys(rows))
 
 
 # --- the sensor ------------------------------------------------------------

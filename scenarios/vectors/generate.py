@@ -21,6 +21,7 @@ Row = Sequence[object]
 
 def main(folder: Path) -> None:
     """Writes every file of vectors into ``folder``."""
+    rows: list[Row]
     for function, values in (
         ("sin", arguments.angles()),
         ("cos", arguments.angles()),

@@ -9,6 +9,7 @@ from __future__ import annotations
 import subprocess
 import tempfile
 from collections.abc import Sequence
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -25,14 +26,20 @@ def strict_math(function: str, arguments: Sequence[float]) -> list[float]:
     with tempfile.TemporaryDirectory() as folder:
         asked, answered = Path(folder, "asked"), Path(folder, "answered")
         asked.write_text("".join(f"{hexadecimal(x)}\n" for x in arguments))
-        subprocess.run(
-            ["java", str(REFERENCE), function, str(asked), str(answered)],
-            check=True,
-        )
+        reference = ["java", "-cp", _compiled().name, REFERENCE.stem]
+        subprocess.run([*reference, function, asked, answered], check=True)
         lines = answered.read_text().splitlines()
     values = [double(int(line, 16)) for line in lines]
     _compare(function, arguments, values)
     return values
+
+
+@cache
+def _compiled() -> tempfile.TemporaryDirectory[str]:
+    """A folder with the reference's class, for as long as this program runs."""
+    folder = tempfile.TemporaryDirectory()
+    subprocess.run(["javac", "-d", folder.name, REFERENCE], check=True)
+    return folder
 
 
 def _compare(
