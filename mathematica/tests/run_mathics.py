@@ -2,7 +2,7 @@
 
     build/mathics/bin/python mathematica/tests/run_mathics.py [NAME...]
 
-NAME is a test file, as Grid for tests/Grid.wlt; without any: all that stand in TESTS. Needs the package Mathics3 (PyPI).
+NAME is a test file, as Grid for tests/Grid.wlt; without any: all that stand in TESTS. Needs Mathics3 (from PyPI).
 
 The package is loaded by its name, Needs["OccupancyGrid`"]. Then no name may have come into the wrong context, and the
 tests run one by one. What Mathics cannot do stands in mathematica/README.md, in the table below "What Mathics3 cannot
@@ -61,7 +61,9 @@ def ring(_signal: int, _frame: FrameType | None) -> None:
 def table() -> dict[str, str]:
     """The tests that Mathics cannot run, `FILE: TestID` with `*` for any text, and the reason."""
     text = (PORT / "README.md").read_text(encoding="utf-8")
-    section = text.split("\n## What Mathics3 cannot run\n")[1].split("\n## ")[0]
+    section = text.split("\n## What Mathics3 cannot run\n")[1].split("\n## ")[
+        0
+    ]
     rows = re.findall(r"^\| `([^`]+)` \| (.+) \|$", section, re.MULTILINE)
     return dict(rows)
 
@@ -89,7 +91,9 @@ class Kernel:
             context = str(self.run(f"Context[{name}]"))
             if context != '"OccupancyGrid`"':
                 wrong.append(f"{name} is in the context {context}")
-        self.run('$ContextPath = Prepend[$ContextPath, "OccupancyGrid`Private`"]')
+        self.run(
+            '$ContextPath = Prepend[$ContextPath, "OccupancyGrid`Private`"]'
+        )
         self.run(f'here = "{HERE}"')
         for shared in ("answers", "shared"):
             self.run(f'Get["{HERE / shared}.wl"]')
@@ -99,7 +103,8 @@ class Kernel:
 
     def messages(self) -> list[str]:
         return [
-            str(getattr(out, "text", out)) for out in self.session.evaluation.out
+            str(getattr(out, "text", out))
+            for out in self.session.evaluation.out
         ]
 
     def tests(self, file: Path) -> Iterator[tuple[str, bool, str]]:
@@ -124,9 +129,11 @@ class Kernel:
             result = query.evaluate(self.session.evaluation)
             elements = getattr(result, "elements", ())
             if len(elements) == 3:
-                return str(elements[1]) == "System`True", str(elements[2])[:300]
+                return str(elements[1]) == "System`True", str(elements[2])[
+                    :300
+                ]
             return False, str(result)[:300]
-        except Exception as error:  # noqa: BLE001
+        except Exception as error:
             return False, f"{type(error).__name__}: {error}"[:300]
         finally:
             signal.setitimer(signal.ITIMER_PROF, 0)
@@ -149,10 +156,16 @@ def main(names: list[str]) -> int:
         started = time.process_time()
         for test, passes, text in kernel.tests(HERE / f"{name}.wlt"):
             key = f"{name}: {test}"
-            entries = [p for p in cannot if fnmatch.fnmatchcase(key, p.replace("[", "[[]"))]
+            entries = [
+                p
+                for p in cannot
+                if fnmatch.fnmatchcase(key, p.replace("[", "[[]"))
+            ]
             used.update(entries)
             if passes and entries:
-                failures.append(f"FAILED {key}\n  runs, and stands in README.md's table as {entries[0]}")
+                failures.append(
+                    f"FAILED {key}\n  runs, and stands in README.md's table as {entries[0]}"
+                )
             elif passes:
                 passed += 1
             elif entries:
@@ -161,9 +174,17 @@ def main(names: list[str]) -> int:
                 failures.append(f"FAILED {key}\n  {text}")
             seconds = time.process_time() - started
             started = time.process_time()
-            print(f"{'ok  ' if passes else '    '} {seconds:5.1f} s  {key}", file=sys.stderr, flush=True)
+            print(
+                f"{'ok  ' if passes else '    '} {seconds:5.1f} s  {key}",
+                file=sys.stderr,
+                flush=True,
+            )
     if not names:
-        failures += [f"FAILED no test is {entry}" for entry in cannot if entry not in used]
+        failures += [
+            f"FAILED no test is {entry}"
+            for entry in cannot
+            if entry not in used
+        ]
     print("\n".join(failures)) if failures else None
     print(f"{passed} passed, {len(failures)} failed, {listed} cannot run")
     return 1 if failures or not passed else 0

@@ -5,24 +5,14 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-try:
-    from occgrid_parity.explain.closeness import compare_with_reference
-    from occgrid_parity.mistakes.catalogue import MISTAKES
-    from occgrid_parity.model import arithmetic
-    from occgrid_parity.model.mapper_steps import Mapper
-    from occgrid_parity.model.worlds import World, world_of
-    from occgrid_parity.programs.observed_map import Observed
-    from occgrid_parity.suite.cases import case
-    from occgrid_parity.suite.modes import Mode
-except ImportError:  # the harness as it was named before
-    from parity.checking.closeness import compare as compare_with_reference
-    from parity.checking.reading import Observed
-    from parity.checking.reference import world_of
-    from parity.checking.suite import case
-    from parity.mistakes import arithmetic
-    from parity.mistakes.catalogue import MISTAKES
-    from parity.mistakes.mapper import Mapper, World
-    from parity.modes import Mode
+from occgrid_parity.explain.closeness import compare_with_reference
+from occgrid_parity.mistakes.catalogue import MISTAKES
+from occgrid_parity.model import arithmetic
+from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.model.worlds import World, world_of
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import case
+from occgrid_parity.suite.modes import Mode
 
 __all__ = ["MISTAKES", "Mapper", "World", "arithmetic", "closeness", "world"]
 
