@@ -10,7 +10,11 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from occgrid.lesson import lesson_poses, lesson_settings, lesson_world
+from occgrid.noise import add_range_noise
+from occgrid.portable_math import cos, sin
 from occgrid.world import Pose
 
 FOLDER = Path(__file__).parent
@@ -266,6 +270,357 @@ def formats() -> str:
     return "\r\n".join(lines)
 
 
+def odometry() -> str:
+    """Each recorded line holds two poses, and only one of them counts."""
+    laser = [Pose(-1.1, 0.4, 0.3), Pose(0.7, -0.6, -1.9), Pose(0.2, 1.1, 2.8)]
+    robot = [Pose(0.9, -1.3, 1.2), Pose(-0.8, 0.5, 0.4), Pose(1.3, 0.3, -2.2)]
+    scans = []
+    for i, (here, there) in enumerate(zip(laser, robot, strict=True)):
+        scans.append(_flaser(here, _wavy(7 + i, 2.4), odometry=there))
+        scans.append(
+            _robotlaser1(
+                here, -1.2, 0.3, _wavy(9 + i, 2.4), remissions=i, robot=there
+            )
+        )
+    return _text(
+        "FLASER's pose is not its odometry, and ROBOTLASER1's laser does not "
+        "stand where the robot does.",
+        _grid(30, 26, 0.2, -3.07, -2.63, 3.0),
+        scans,
+    )
+
+
+def hash_fields() -> str:
+    """A number sign begins a comment in some lines and is a field in others."""
+    pose = [*map(_number, Pose(0.4, 0.3, 0.9))]
+    ranges = _wavy(5, 2.0)
+    tail = ["#", "0.1", "0.2", "7.5", "#host", "0"]
+    flaser = " ".join(["FLASER", "5", *ranges, *pose, *tail])
+    head = ["#4", "-0.8", "#fov", "0.4", "#", "0.01", "0", "5"]
+    tail = [*pose, "#", "0", "0", "0", "0", "0", "0", "0", "7.5", "#host", "0"]
+    robotlaser1 = " ".join(
+        ["ROBOTLASER1", *head, *ranges, "2", "#1", "#2", *tail]
+    )
+    return _text(
+        "A field that begins with # ends PARAM, WALL and POSE lines; in "
+        "FLASER and ROBOTLASER1 lines it is a field like any other.",
+        [
+            *_grid(20, 16, 0.25, -2.03, -1.52, 3.0),
+            *_params(beams=9),
+            "WALL 2.1 -1 2.1 1.7 #5 the right one",
+        ],
+        [flaser, "POSE 0.2 -0.3 0.4 # a simulated scan", robotlaser1],
+    )
+
+
+def mixed() -> str:
+    """Recorded and simulated scans, numbered together."""
+    return _text(
+        "Recorded and simulated scans in turn: noise leaves the recorded ones "
+        "alone, and they count in the numbers of the scans.",
+        [
+            *_grid(40, 34, 0.15, -2.93, -2.42, 4.0),
+            *_params(beams=23, fov=4.0, noise_std=0.3),
+            "WALL -2.7 -1.3 2.6 -1.9",
+            "WALL 2.6 -1.9 2.2 2.3",
+        ],
+        [
+            _robotlaser1(Pose(0.3, 0.2, 0.1), -1.5, 0.2, _wavy(16, 2.8)),
+            "POSE 0.1 0.4 -0.7",
+            _flaser(Pose(-0.5, 0.7, 1.4), _wavy(14, 2.8)),
+            _flaser(Pose(-0.4, 0.8, 1.9), _wavy(15, 2.8)),
+            "POSE 0.9 0.6 0.2",
+            "POSE 0.9 0.6 0.2",
+            _robotlaser1(Pose(1.1, -0.3, 3.0), -1.5, 0.2, _wavy(16, 2.8)),
+            "POSE -0.6 -0.2 2.7",
+        ],
+    )
+
+
+def powers_of_two() -> str:
+    """Odds of 4 and 1/4, so that exp's argument is a multiple of ln 2."""
+    return _model(
+        "Odds that are powers of two: p_occ 0.8 and p_free 0.2.",
+        p_occ=0.8,
+        p_free=0.2,
+    )
+
+
+def near_even() -> str:
+    """Evidence so weak that log's argument is next to 1."""
+    return _model(
+        "Evidence next to none: p_occ 0.5000001, p_free 0.4999998.",
+        p_occ=0.5000001,
+        p_free=0.4999998,
+    )
+
+
+def sure() -> str:
+    """Log-odds of six, three updates of which leave the limits of most programs."""
+    return _model(
+        "Strong evidence between limits that are far out: a cell that was hit "
+        "often stays occupied for long.",
+        p_occ=0.999,
+        p_free=0.003,
+        l_min=-40.0,
+        l_max=30.0,
+        p0=0.4,
+    )
+
+
+def beyond_sure() -> str:
+    """Probabilities that logit does not tell from 1e-9 and 1 - 1e-9."""
+    return _model(
+        "Probabilities beyond 1e-9 and 1 - 1e-9 count as these.",
+        p_occ=0.99999999999,
+        p_free=1e-12,
+        l_min=-1000.0,
+        l_max=1000.0,
+    )
+
+
+def upward() -> str:
+    """A beam that passes makes a cell likelier to be occupied."""
+    return _model(
+        "p_free above p0: free cells rise too, up to the upper clamp.",
+        p0=0.35,
+        p_occ=0.9,
+        p_free=0.6,
+        l_min=-2.0,
+        l_max=2.5,
+    )
+
+
+def backward() -> str:
+    """A hit makes a cell likelier to be free; what is passed stays as it is."""
+    return _model(
+        "p_occ below p0: hits lower a cell, down to the lower clamp; p_free "
+        "is p0, so that passing changes nothing.",
+        p0=0.6,
+        p_occ=0.2,
+        p_free=0.6,
+        l_min=-2.0,
+        l_max=2.5,
+    )
+
+
+def min_range() -> str:
+    """Recorded ranges below the least, at it and above; simulated ones too."""
+    least, most = 0.7, 4.0
+    ranges = [
+        "0", "0.3", repr(math.nextafter(least, 0.0)), "0.7",
+        repr(math.nextafter(least, 1.0)), "1.3", "nan", "2.9", "inf",
+        repr(math.nextafter(most - 1e-12, 0.0)), repr(most - 1e-12),
+        repr(math.nextafter(most - 1e-12, 9.0)), "4",
+    ]  # fmt: skip
+    return _text(
+        "min_range: recorded ranges below it are ignored, simulated ones are "
+        "not; and ranges at the limit of a hit.",
+        [
+            *_grid(36, 30, 0.25, -4.6, -3.8, most),
+            *_params(min_range=least, beams=21, fov=5.0, noise_std=0.2),
+            "WALL 0.4 -2 0.5 2.5",
+        ],
+        [
+            _robotlaser1(Pose(0.11, -0.17, 0.4), -2.4, 0.41, ranges),
+            _flaser(Pose(-0.34, 0.23, 1.7), ranges),
+            "POSE 0.1 0.2 0.3",
+        ],
+    )
+
+
+def noise_clamp() -> str:
+    """So much noise that ranges leave [0, max_range] at both ends."""
+    return _text(
+        "Noise of three metres at walls one metre away: ranges are clamped to "
+        "0 and to max_range.",
+        [
+            *_grid(30, 26, 0.3, -4.45, -3.86, 3.5),
+            *_params(beams=31, fov=6.0, noise_std=3.0),
+            "WALL 1.1 -2 1.1 2",
+            "WALL -1.2 -2 -0.9 2.2",
+        ],
+        ["POSE 0.1 0.2 0.3", "POSE -0.2 0.1 1.9"],
+    )
+
+
+def wall_ends() -> str:
+    """One beam along x for each row, and a wall that it just meets or misses."""
+    ulp_less = math.nextafter(1e-12, 0.0)
+    walls = [
+        (3.5, 0.5, 3.5, 0.9),  # begins on the ray
+        (4.5, 1.1, 4.5, 1.5),  # ends on it
+        (5.5, math.nextafter(2.5, 3.0), 5.5, 2.9),  # begins just above it
+        (6.5, 3.1, 6.5, math.nextafter(3.5, 3.0)),  # ends just below it
+        (0.5, 4.2, 0.5, 4.8),  # the robot stands on it
+        (math.nextafter(0.5, 0.0), 5.2, 0.5, 5.8),  # or just beyond it
+        (2.5, 6.5, 5.5, 6.5),  # along the ray: parallel, so not seen
+        (7.5, 7.9, 7.5, 7.5),  # ends on the ray, from above
+        (8.5, 8.2, 8.5, 8.8),  # at max_range
+        (math.nextafter(8.5, 9.0), 9.2, 8.5, 9.8),  # leans across it
+        (4.5, 0.0, 4.5, 1e-12),  # just not parallel
+        (4.5, 11.0, 4.5, 11.5),  # three at one ray: the nearest counts
+        (2.5, 11.5, 2.5, 11.6),
+        (6.5, 11.4, 6.5, 11.6),
+    ]
+    head = [
+        *_grid(10, 12, 1.0, 0.0, 0.0, 8.0),
+        *_params(beams=1, fov=2.0),
+        *(" ".join(["WALL", *map(_number, wall)]) for wall in walls),
+        " ".join(["WALL", *map(_number, (2.5, 0.0, 2.5, ulp_less))]),
+    ]
+    rows = [f"POSE 0.5 {row}.5 0" for row in range(12)]
+    return _text(
+        "One beam in each row, at a wall that begins or ends on it, just "
+        "misses it, is parallel or nearly so.",
+        head,
+        [*rows, "POSE 0.5 0 0"],
+    )
+
+
+def low_limits() -> str:
+    """Every parameter at its lower limit."""
+    return _text(
+        "The least that the parameters can be, on a grid of one cell.",
+        [
+            *_grid(1, 1, 0.001, -1e7, -1e7, 0.001),
+            *_params(min_range=0.0, p0=0.5, l_min=-1000.0, l_max=1000.0),
+            *_params(fov=0.0, beams=1, noise_std=0.0),
+            "WALL -1e7 -1e7 -10000000 10000000",
+        ],
+        [
+            "POSE -1e7 -10000000 -1e6",
+            _flaser(Pose(-1e7, -1e7, -1e6), ["0"]),
+            _robotlaser1(Pose(-1e7, -1e7, -1e6), -1e6, -1e6, ["0", "9e9"]),
+        ],
+    )
+
+
+def high_limits() -> str:
+    """Parameters at their upper limits."""
+    return _text(
+        "The most that the parameters can be, but for the number of cells and "
+        "beams.",
+        [
+            *_grid(7, 5, 1000.0, 1e7, 1e7, 10000.0),
+            *_params(l_min=-1000.0, l_max=1000.0),
+            *_params(fov=6.283185307179586, beams=12, noise_std=1000.0),
+            "WALL 10000000 -10000000 1e7 1e7",
+        ],
+        [
+            "POSE 10000000 1e7 1e6",
+            _flaser(Pose(1e7, 1e7, 1e6), ["3000", "4500", "2000"]),
+            _robotlaser1(Pose(1e7, 1e7, 1e6), 1e6, 1e6, ["3300"] * 5),
+        ],
+    )
+
+
+def fine_grid() -> str:
+    """As many cells in max_range as there may be, and most beams of a POSE."""
+    return _text(
+        "max_range is 1000000 cells, beams 100000 (of which no scan makes "
+        "use), and an origin that nine decimals write as zero.",
+        [
+            *_grid(9, 7, 0.001, -4e-10, -0.0035, 1000.0),
+            *_params(beams=100000),
+        ],
+        [
+            _robotlaser1(
+                Pose(0.0045, 0.0004, 0.3), -3.0, 0.9, ["0.003", "0.0061"] * 3
+            )
+        ],
+    )
+
+
+def beside() -> str:
+    """Scans that touch no cell, before and after one that does."""
+    return _text(
+        "A grid of one cell: beams that pass beside it, one that crosses it, "
+        "one that ends in it.",
+        _grid(1, 1, 1.0, 0.0, 0.0, 5.0),
+        [
+            _beam_to(Pose(2.5, 2.5, 0.0), 1.0, 1.0),
+            _robotlaser1(Pose(0.5, 0.5, 0.0), 0.0, 0.1, ["nan"] * 3),
+            _beam_to(Pose(-1.5, 0.4, 0.0), 4.0, 0.1),
+            _beam_to(Pose(-1.5, 0.4, 0.0), 2.0, 0.1),
+            _beam_to(Pose(0.4, 2.5, 0.0), 0.9, -4.0),
+            _beam_to(Pose(0.4, 0.5, 0.0), 0.1, 0.1),
+        ],
+    )
+
+
+def many_beams() -> str:
+    """A scan of more beams than the programs take at once."""
+    return _text(
+        "Simulated scans of 9001 beams each.",
+        [
+            *_grid(16, 12, 0.25, -2.13, -1.37, 1.5),
+            *_params(beams=9001, fov=6.0, noise_std=0.1),
+            "WALL 1.1 -1.3 0.9 1.4",
+        ],
+        ["POSE 0.1 0.2 0.3", "POSE -0.8 0.4 2.2"],
+    )
+
+
+def large_angles() -> str:
+    """Bearings of millions of radians."""
+    ranges = ["nan"] * 2000
+    for i in range(0, 2000, 61):
+        ranges[i] = f"{1.1 + 0.9 * (i * 37 % 101) / 100:.2f}"
+    return _text(
+        "ROBOTLASER1 with start and step of a million radians.",
+        _grid(30, 26, 0.2, -3.07, -2.63, 3.0),
+        [
+            _robotlaser1(Pose(0.2, 0.1, 1e6), 1e6, 1e6, _wavy(40, 2.8)),
+            _robotlaser1(Pose(-0.3, 0.2, -1e6), -1e6, -1e6, _wavy(40, 2.8)),
+            _robotlaser1(Pose(0.1, -0.4, 7.0), 654321.0, 1e6, ranges),
+        ],
+    )
+
+
+def corners() -> str:
+    """Ends exactly on a corner of the grid, and one unit in the last place beside."""
+    scans = []
+    for i, (start, n) in enumerate(_angles()):
+        a = start + (n - 1) * 1e6
+        x, y = -float(cos(a)), -float(sin(a))
+        places = [(x, y), (_below(x), y), (x, _below(y))]
+        for px, py in places[:1] + places[1 + i % 2 : 2 + i % 2]:
+            ranges = ["nan"] * (n - 1) + ["1"]
+            scans.append(_robotlaser1(Pose(px, py, 0.0), start, 1e6, ranges))
+    return _text(
+        "Beams of one metre that end exactly at (0, 0), the corner of the "
+        "grid, or one unit in the last place outside.",
+        [
+            *_grid(3, 3, 0.5, 0.0, 0.0, 3.0),
+            *_params(l_min=-1000.0, l_max=1000.0),
+        ],
+        scans,
+    )
+
+
+def noise_corners() -> str:
+    """Noisy ranges that end exactly on the edge of the grid, and one unit in the last place beside."""
+    z_max, noise_std = 16.0, 4.0
+    scans = []
+    for scan in range(60):
+        z = add_range_noise(np.array([z_max]), noise_std, 0, scan, z_max)
+        x = -float(z[0])
+        scans.append(
+            f"POSE {_number(x if scan % 4 < 2 else _below(x))} 0.25 0"
+        )
+    return _text(
+        "With the noise of seed 0, the one beam of each scan ends exactly on "
+        "the left edge of the grid, or one unit in the last place outside.",
+        [
+            *_grid(3, 1, 0.5, 0.0, 0.0, z_max),
+            *_params(beams=1, noise_std=noise_std),
+            *_params(l_min=-1000.0, l_max=1000.0),
+        ],
+        scans,
+    )
+
+
 SCENARIOS: dict[str, Callable[[], str]] = {
     "lesson": lesson,
     "lesson-offset": lesson_offset,
@@ -280,6 +635,26 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "flaser": flaser,
     "robotlaser1": robotlaser1,
     "formats": formats,
+    "odometry": odometry,
+    "hash-fields": hash_fields,
+    "mixed": mixed,
+    "powers-of-two": powers_of_two,
+    "near-even": near_even,
+    "sure": sure,
+    "beyond-sure": beyond_sure,
+    "upward": upward,
+    "backward": backward,
+    "min-range": min_range,
+    "noise-clamp": noise_clamp,
+    "wall-ends": wall_ends,
+    "low-limits": low_limits,
+    "high-limits": high_limits,
+    "fine-grid": fine_grid,
+    "beside": beside,
+    "many-beams": many_beams,
+    "large-angles": large_angles,
+    "corners": corners,
+    "noise-corners": noise_corners,
 }
 
 
@@ -329,6 +704,52 @@ def _params(**values: float | str) -> list[str]:
     ]
 
 
+def _model(reason: str, **values: float) -> str:
+    """Scans that hit the same cells, pass them and hit them again, for an inverse sensor model."""
+    near, far = ["1.37", "1.41", "1.44", "1.41", "1.37"], ["2.6"] * 5
+    pose = Pose(0.37, 0.61, 0.05)
+    scans = [
+        _robotlaser1(pose, -0.6, 0.3, ranges)
+        for ranges in [near] * 6 + [far] * 9 + [near] * 2
+    ]
+    return _text(
+        reason,
+        [*_grid(14, 12, 0.25, 0.0, -0.9, 3.0), *_params(**values)],
+        scans,
+    )
+
+
+def _angles() -> list[tuple[float, int]]:
+    """Angles as a start and a number of beams a million radians apart, of which the last one is meant.
+
+    They lie in every branch of sin, cos and the reduction: near the limits between these, near multiples of pi/2, in
+    between, and beyond 2^20 pi/2.
+    """
+    near = [
+        1e-9, 7.4e-9, 7.5e-9, 0.1, 0.29, 0.3, 0.31, 0.5, 0.77, 0.7812, 0.7813,
+        0.7853, 0.7854, 0.79, 1.0, 1.55, math.pi / 2, _below(math.pi / 2),
+        1.6, 2.35, 2.36, 3.0, 3.14, math.pi, 4.0, 4.71, 3 * math.pi / 2, 6.28,
+        11.0, 22.0, 33.0, 44.0, 51.0, 52.0, 177.5, 355.0, 710.0, 12345.678,
+        103993.0, 208341.0, 312689.0, 833719.0, 999999.5,
+    ]  # fmt: skip
+    turns = [n * (math.pi / 2) for n in (5, 10, 16, 31, 32, 33, 64, 1000)]
+    between = [-4.7 + 0.37 * i for i in range(26)]
+    far = [
+        1146408.0, 4272943.0, 5419351.0, 80143857.0, 165707065.0, 245850922.0,
+        1647099.25, 2000000.1, 3333333.3, 17654321.9, 99999999.9, 123456789.1,
+    ]  # fmt: skip
+    angles = [(a, 1) for a in [*near, *turns, *between, -0.31, -22.0, -355.0]]
+    for a in far:
+        n = int(a // 1e6)
+        angles.append((a - n * 1e6, n + 1))
+    return angles
+
+
+def _below(value: float) -> float:
+    """The next double below."""
+    return math.nextafter(value, -math.inf)
+
+
 def _beam_to(pose: Pose, dx: float, dy: float) -> str:
     """A recorded scan of one beam that ends dx, dy metres from the pose."""
     return _robotlaser1(
@@ -342,10 +763,13 @@ def _robotlaser1(
     step: float,
     ranges: Sequence[str],
     remissions: int = 0,
+    robot: Pose | None = None,
 ) -> str:
+    """``pose`` is the laser's; the robot's is the same where none is given."""
     where = list(map(_number, pose))
+    base = list(map(_number, robot or pose))
     head = ["0", _number(start), _number(step * len(ranges)), _number(step)]
-    tail = [*where, *where, "0", "0", "0", "0", "0", "0", "host", "0"]
+    tail = [*where, *base, "0", "0", "0", "0", "0", "0", "host", "0"]
     fields = [*head, "81.91", "0.01", "0", str(len(ranges)), *ranges]
     fields += [
         str(remissions),
@@ -355,9 +779,12 @@ def _robotlaser1(
     return " ".join(["ROBOTLASER1", *fields])
 
 
-def _flaser(pose: Pose, ranges: Sequence[str]) -> str:
+def _flaser(
+    pose: Pose, ranges: Sequence[str], odometry: Pose | None = None
+) -> str:
     where = list(map(_number, pose))
-    tail = [*where, *where, "0", "host", "0"]
+    other = list(map(_number, odometry or pose))
+    tail = [*where, *other, "0", "host", "0"]
     return " ".join(["FLASER", str(len(ranges)), *ranges, *tail])
 
 

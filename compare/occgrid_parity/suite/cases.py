@@ -11,6 +11,8 @@ from occgrid_parity.suite.repository import find_root
 
 LESSON = "lesson"
 TWIN = "lesson-offset"
+LAST_BITS = frozenset({"corners", "noise-corners"})
+"""Scenarios that hang on the last bits of sin, cos and log: for ports, which owe these bits, and not for a check."""
 INSTALLED = Path(__file__).resolve().parents[1] / "scenarios"
 
 
