@@ -19,7 +19,7 @@ namespace {
 
 /// Enough for the work between two looks at what is next, and not so many that
 /// their beams leave the processor's cache.
-constexpr Eigen::Index batch_beams = 1 << 14;
+constexpr Eigen::Index batch_beams = 1 << 13;
 /// Batches between reading and the grid, for each thread.
 constexpr std::size_t batches_ahead = 2;
 
@@ -29,8 +29,8 @@ struct Batch {
   std::vector<ScenarioScan> scans;       ///< as they were read
   std::vector<std::vector<Beam>> beams;  ///< of each part of the scans
   std::vector<Rows> bands;               ///< once all beams are found
-  std::size_t parts_begun = 0, parts_done = 0;
-  std::size_t bands_begun = 0, bands_done = 0;
+  std::vector<bool> band_begun;          ///< of each band
+  std::size_t parts_begun = 0, parts_done = 0, bands_done = 0;
 };
 
 class Pipeline {
@@ -43,12 +43,12 @@ class Pipeline {
         next_scan_(scenario.scans()),
         shares_(threads) {}
 
-  /// Takes tasks until all is done; what each thread does.
-  void work() {
+  /// Takes tasks until all is done; what each thread does, by its number.
+  void work(std::size_t thread) {
     std::unique_lock lock(mutex_);
     try {
       while (!is_done()) {
-        const Task task = next_task();
+        const Task task = next_task(thread);
         if (task.kind == Task::none) {
           changed_.wait(lock);
           continue;
@@ -87,8 +87,9 @@ class Pipeline {
   }
 
   /// Chooses a task and marks it as begun. Reading comes first, as it cannot
-  /// be shared; then what is nearest to its end.
-  Task next_task() {
+  /// be shared. Then a thread takes the band of its own number, whose cells
+  /// its core's cache still holds, and another's only if nothing else is left.
+  Task next_task(std::size_t thread) {
     if (!reading_ && !all_read_ && batches_.size() < batches_ahead * shares_) {
       reading_ = std::make_unique<Batch>();
       if (!spare_.empty()) {
@@ -97,16 +98,21 @@ class Pipeline {
       }
       return {Task::read, reading_.get(), 0};
     }
-    if (!batches_.empty()) {
-      Batch& oldest = *batches_.front();
-      if (oldest.bands_begun < oldest.bands.size()) {
-        return {Task::update, &oldest, oldest.bands_begun++};
-      }
-    }
+    if (batches_.empty()) return {};
+    Batch& oldest = *batches_.front();
+    const bool bands_are_cut = !oldest.bands.empty();
+    const auto update = [&](std::size_t band) -> Task {
+      oldest.band_begun[band] = true;
+      return {Task::update, &oldest, band};
+    };
+    if (bands_are_cut && !oldest.band_begun[thread]) return update(thread);
     for (const auto& batch : batches_) {
       if (batch->parts_begun < shares_) {
         return {Task::find_beams, batch.get(), batch->parts_begun++};
       }
+    }
+    for (std::size_t band = 0; bands_are_cut && band < shares_; ++band) {
+      if (!oldest.band_begun[band]) return update(band);
     }
     return {};
   }
@@ -151,8 +157,8 @@ class Pipeline {
     batch.scans.clear();
     batch.beams.resize(shares_);
     batch.bands.clear();
-    batch.parts_begun = batch.parts_done = 0;
-    batch.bands_begun = batch.bands_done = 0;
+    batch.band_begun.assign(shares_, false);
+    batch.parts_begun = batch.parts_done = batch.bands_done = 0;
     try {
       for (Eigen::Index beams = 0; beams < batch_beams;) {
         std::optional<ScenarioScan> scan = next_scan_();
@@ -176,7 +182,9 @@ class Pipeline {
   /// The beams of part `part` of the scans, those of bare poses simulated.
   void find_beams(Batch& batch, std::size_t part) {
     const Settings& settings = scenario_.settings;
-    std::vector<Beam>& beams = batch.beams[part];
+    // a list of its own: those of a batch lie side by side, and two threads
+    // that write to one line of the cache wait for each other
+    std::vector<Beam> beams = std::move(batch.beams[part]);
     beams.clear();
     const std::size_t end = batch.scans.size() * (part + 1) / shares_;
     for (std::size_t s = batch.scans.size() * part / shares_; s < end; ++s) {
@@ -191,6 +199,7 @@ class Pipeline {
         append(std::get<Scan>(batch.scans[s]));
       }
     }
+    batch.beams[part] = std::move(beams);
   }
 
   OccupancyGrid& grid_;
@@ -222,10 +231,10 @@ void map_on_threads(OccupancyGrid& grid, const Scenario& scenario,
   };
   {
     Team team;
-    for (int i = 1; i < threads; ++i) {
-      team.threads.emplace_back([&] { pipeline.work(); });
+    for (std::size_t i = 1; i < static_cast<std::size_t>(threads); ++i) {
+      team.threads.emplace_back([&pipeline, i] { pipeline.work(i); });
     }
-    pipeline.work();
+    pipeline.work(0);
   }
   pipeline.rethrow();
 }
