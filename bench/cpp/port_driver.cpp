@@ -1,21 +1,20 @@
 // The C++ port at the benchmark's work.
 //
-// usage: cpp_port WORK [THREADS]
+// usage: cpp_port WORK [plain | THREADS]
 //
-// Without THREADS: update_grid_from_scan, scan after scan. With it the
-// port's mapping loop, map_scenario or map_scenario_in_bands, on a scenario in
-// memory.
-#include <memory>
+// Without more: update_grid_from_scans, all scans at once. plain:
+// update_grid_from_scan, scan after scan. THREADS: the port's mapping loop,
+// map_scenario_fast, on a scenario in memory.
 #include <optional>
 
 #include "driver.hpp"
-#include "map_writer.hpp"
-#include "mapper.hpp"
-#include "sensor.hpp"
+#include "occgrid/fast.hpp"
+#include "occgrid/map_writer.hpp"
+#include "occgrid/sensor.hpp"
 
 int main(int argc, char** argv) {
   const Work work = read_work(argv[1]);
-  const int threads = argc > 2 ? std::stoi(argv[2]) : 0;
+  const std::string how = argc > 2 ? argv[2] : "";
 
   occgrid::Settings settings;
   settings.width = work.width;
@@ -36,7 +35,7 @@ int main(int argc, char** argv) {
   }
 
   std::optional<occgrid::OccupancyGrid> grid;
-  const auto map_scans = [&] {
+  const auto map_plain = [&] {
     grid.reset();
     grid.emplace(settings.new_grid());
     for (const occgrid::Scan& scan : scans) {
@@ -44,24 +43,33 @@ int main(int argc, char** argv) {
                                      settings.no_return);
     }
   };
-  const auto map_scenario = [&] {
-    const auto next_scan = [&, i = std::size_t{0}]() mutable
-        -> std::optional<occgrid::ScenarioScan> {
-      if (i == scans.size()) return std::nullopt;
-      return scans[i++];
-    };
-    const occgrid::Scenario scenario{"", settings, {}, next_scan};
+  const auto map_fast = [&] {
     grid.reset();
-    grid.emplace(threads == 1 ? occgrid::map_scenario(scenario, std::nullopt)
-                              : occgrid::map_scenario_in_bands(
-                                    scenario, std::nullopt, threads));
+    grid.emplace(settings.new_grid());
+    occgrid::update_grid_from_scans(*grid, scans, settings.max_range,
+                                    settings.no_return);
+  };
+  const auto map_on_threads = [&] {
+    const auto source = [&]() -> occgrid::ScanSource {
+      return [&, i = std::size_t{
+                     0}]() mutable -> std::optional<occgrid::ScenarioScan> {
+        if (i == scans.size()) return std::nullopt;
+        return scans[i++];
+      };
+    };
+    const occgrid::Scenario scenario{"", settings, {}, source};
+    grid.reset();
+    grid.emplace(
+        occgrid::map_scenario_fast(scenario, std::nullopt, std::stoi(how)));
   };
   const auto write = [&](std::ostream& out) {
     occgrid::map_log_odds(*grid, out);
   };
-  if (threads > 0) {
-    answer_requests(map_scenario, write);
+  if (how.empty()) {
+    answer_requests(map_fast, write);
+  } else if (how == "plain") {
+    answer_requests(map_plain, write);
   } else {
-    answer_requests(map_scans, write);
+    answer_requests(map_on_threads, write);
   }
 }

@@ -11,9 +11,9 @@
 #include <optional>
 
 #include "driver.hpp"
-#include "grid.hpp"
-#include "portable_math.hpp"
-#include "ray.hpp"
+#include "occgrid/grid.hpp"
+#include "occgrid/portable_math.hpp"
+#include "occgrid/ray.hpp"
 
 namespace {
 
@@ -46,27 +46,31 @@ Updates all_updates(const Work& work) {
       const bool hit = scan.ranges[i] < work.max_range - 1e-12;
       const double z = hit ? scan.ranges[i] : work.max_range;
       const Cell end = end_of(grid, scan, work.angles[i], z);
-      const auto cells = occgrid::bresenham(robot, end);
+      const auto cells =
+          occgrid::bresenham(robot.gx, robot.gy, end.gx, end.gy);
       for (std::size_t k = 0; k < cells.size(); ++k) {
-        if (!grid.in_bounds(cells[k])) continue;
+        if (!grid.in_bounds(cells[k].gx, cells[k].gy)) continue;
         const bool occupied = hit && k + 1 == cells.size();
         updates.cells.push_back(static_cast<std::uint32_t>(
             cells[k].gy * work.width + cells[k].gx));
-        updates.increments.push_back((occupied ? grid.l_occ : grid.l_free) -
-                                     grid.l0);
+        updates.increments.push_back(
+            (occupied ? grid.l_occ() : grid.l_free()) - grid.l0());
       }
     }
   }
   return updates;
 }
 
-void apply(OccupancyGrid& grid, const Updates& updates) {
-  double* const l = grid.log_odds.data();
-  const double low = grid.l_min, high = grid.l_max;
+/// The cells after all updates.
+occgrid::GridArray apply(const OccupancyGrid& grid, const Updates& updates) {
+  occgrid::GridArray cells = grid.log_odds();
+  double* const l = cells.data();
+  const double low = grid.l_min(), high = grid.l_max();
   for (std::size_t i = 0; i < updates.cells.size(); ++i) {
     double& value = l[updates.cells[i]];
     value = std::clamp(value + updates.increments[i], low, high);
   }
+  return cells;
 }
 
 std::int64_t sum_of_ends(const OccupancyGrid& grid, const Work& work) {
@@ -84,22 +88,21 @@ std::int64_t sum_of_ends(const OccupancyGrid& grid, const Work& work) {
 
 int main(int, char** argv) {
   const Work work = read_work(argv[1]);
-  std::optional<OccupancyGrid> grid;
+  const OccupancyGrid grid = new_grid(work);
+  std::optional<occgrid::GridArray> cells = grid.log_odds();
   const auto write = [&](std::ostream& out) {
-    write_log_odds(out, grid->log_odds.data(), work.width, work.height);
+    write_log_odds(out, cells->data(), work.width, work.height);
   };
   if (std::string(argv[2]) == "list") {
     const Updates updates = all_updates(work);
     answer_requests(
         [&] {
-          grid.reset();
-          grid.emplace(new_grid(work));
-          apply(*grid, updates);
+          cells.reset();
+          cells.emplace(apply(grid, updates));
         },
         write);
   } else {
-    grid.emplace(new_grid(work));
     volatile std::int64_t sum = 0;
-    answer_requests([&] { sum = sum_of_ends(*grid, work); }, write);
+    answer_requests([&] { sum = sum_of_ends(grid, work); }, write);
   }
 }

@@ -1,9 +1,12 @@
-#include "grid.hpp"
+#include "occgrid/grid.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
-#include "portable_math.hpp"
+#include "occgrid/exact_arithmetic.hpp"
+#include "occgrid/portable_math.hpp"
 
 namespace occgrid {
 
@@ -21,48 +24,84 @@ double sigmoid(double log_odds) {
 }
 // [/snippet]
 
-OccupancyGrid::OccupancyGrid(const GridSpec& spec_, double p0, double p_occ,
-                             double p_free, double l_min_, double l_max_)
-    : spec(spec_),
-      l0(logit(p0)),
-      l_occ(logit(p_occ)),
-      l_free(logit(p_free)),
-      l_min(l_min_),
-      l_max(l_max_),
-      log_odds(GridArray::Constant(spec.height, spec.width, l0)) {}
+namespace {
+
+void require(bool holds, const std::string& rule) {
+  if (!holds) throw std::invalid_argument("OccupancyGrid: " + rule);
+}
+
+/// NaN is none.
+bool is_probability(double p) {
+  return p >= 0.0 && p <= 1.0;
+}
+
+GridSpec checked(const GridSpec& spec) {
+  require(spec.width >= 1 && spec.height >= 1,
+          "width and height are at least 1");
+  require(spec.width <= std::int64_t{PTRDIFF_MAX / 8} / spec.height,
+          "so many cells do not fit into memory");
+  require(std::isfinite(spec.resolution) && spec.resolution > 0.0,
+          "the resolution is positive");
+  require(std::isfinite(spec.origin_x) && std::isfinite(spec.origin_y),
+          "the origin is finite");
+  return spec;
+}
+
+}  // namespace
+
+OccupancyGrid::OccupancyGrid(const GridSpec& spec, double p0, double p_occ,
+                             double p_free, double l_min, double l_max)
+    : spec_(checked(spec)),
+      l0_(logit(p0)),
+      l_occ_(logit(p_occ)),
+      l_free_(logit(p_free)),
+      l_min_(l_min),
+      l_max_(l_max) {
+  require_exact_arithmetic();
+  require(
+      is_probability(p0) && is_probability(p_occ) && is_probability(p_free),
+      "p0, p_occ and p_free are from 0 to 1");
+  require(std::isfinite(l_min) && std::isfinite(l_max) && l_min < l_max,
+          "l_min is below l_max");
+  require(l_min <= l0_ && l0_ <= l_max, "logit(p0) is from l_min to l_max");
+  log_odds_ = GridArray::Constant(static_cast<Eigen::Index>(spec.height),
+                                  static_cast<Eigen::Index>(spec.width), l0_);
+}
 
 // [snippet: world-to-grid]
 Cell OccupancyGrid::world_to_grid(double x, double y) const {
-  const double gx = std::floor((x - spec.origin_x) / spec.resolution);
-  const double gy = std::floor((y - spec.origin_y) / spec.resolution);
+  const double gx = std::floor((x - spec_.origin_x) / spec_.resolution);
+  const double gy = std::floor((y - spec_.origin_y) / spec_.resolution);
   return {static_cast<std::int64_t>(gx), static_cast<std::int64_t>(gy)};
-}
-
-Point OccupancyGrid::grid_to_world_center(Cell cell) const {
-  const auto gx = static_cast<double>(cell.gx);
-  const auto gy = static_cast<double>(cell.gy);
-  return {spec.origin_x + (gx + 0.5) * spec.resolution,
-          spec.origin_y + (gy + 0.5) * spec.resolution};
-}
-
-bool OccupancyGrid::in_bounds(Cell cell) const {
-  return 0 <= cell.gx && cell.gx < spec.width &&  //
-         0 <= cell.gy && cell.gy < spec.height;
 }
 // [/snippet]
 
+Point OccupancyGrid::grid_to_world_center(std::int64_t gx,
+                                          std::int64_t gy) const {
+  const double x = static_cast<double>(gx) + 0.5;
+  const double y = static_cast<double>(gy) + 0.5;
+  return {spec_.origin_x + x * spec_.resolution,
+          spec_.origin_y + y * spec_.resolution};
+}
+
 // [snippet: update-cell]
-void OccupancyGrid::update_cell(Cell cell, double l_update) {
-  if (!in_bounds(cell)) return;
-  double& l = log_odds(cell.gy, cell.gx);
-  l = std::clamp(l + (l_update - l0), l_min, l_max);
+bool OccupancyGrid::in_bounds(std::int64_t gx, std::int64_t gy) const {
+  return 0 <= gx && gx < spec_.width && 0 <= gy && gy < spec_.height;
+}
+
+void OccupancyGrid::update_cell(std::int64_t gx, std::int64_t gy,
+                                double l_update) {
+  if (!in_bounds(gx, gy)) return;
+  double& l =
+      log_odds_(static_cast<Eigen::Index>(gy), static_cast<Eigen::Index>(gx));
+  l = std::clamp(l + (l_update - l0_), l_min_, l_max_);
 }
 // [/snippet]
 
 // [snippet: probability-grid]
 GridArray OccupancyGrid::probability_grid() const {
   // not Eigen's exp(): that is a polynomial with other last bits
-  return log_odds.unaryExpr([](double l) { return sigmoid(l); });
+  return log_odds_.unaryExpr([](double l) { return sigmoid(l); });
 }
 // [/snippet]
 

@@ -1,8 +1,8 @@
-#include "lesson.hpp"
+#include "occgrid/lesson.hpp"
 
 #include <utility>
 
-#include "portable_math.hpp"
+#include "occgrid/portable_math.hpp"
 
 namespace occgrid {
 
@@ -51,13 +51,14 @@ std::vector<Pose> lesson_poses() {
 // [/snippet]
 
 Scenario lesson_scenario() {
-  const auto next_scan = [poses = lesson_poses(),
-                          t = std::size_t{0}]() mutable {
-    std::optional<ScenarioScan> scan;
-    if (t < poses.size()) scan = poses[t++];
-    return scan;
+  const auto scans = []() -> ScanSource {
+    return [poses = lesson_poses(),
+            t = std::size_t{0}]() mutable -> std::optional<ScenarioScan> {
+      if (t == poses.size()) return std::nullopt;
+      return poses[t++];
+    };
   };
-  return {"lesson", lesson_settings(), lesson_world(), next_scan};
+  return {"lesson", lesson_settings(), lesson_world(), scans};
 }
 
 }  // namespace occgrid

@@ -1,13 +1,14 @@
-#include "map_writer.hpp"
+#include "occgrid/map_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <functional>
-#include <random>
-#include <vector>
+#include <string_view>
+
+#include "one_line.hpp"
+#include "whole_files.hpp"
 
 namespace occgrid {
 
@@ -47,112 +48,103 @@ std::string fixed(double value) {
 
 // [snippet: map-pgm]
 void map_pgm(const OccupancyGrid& grid, std::ostream& out) {
-  const GridSpec& spec = grid.spec;
-  out << "P2\n" << spec.width << ' ' << spec.height << "\n255\n";
-  std::string line;
-  for (Eigen::Index gy = spec.height - 1; gy >= 0; --gy) {
+  const GridArray& log_odds = grid.log_odds();
+  std::string line = "P2\n";
+  append(line, log_odds.cols());
+  line += ' ';
+  append(line, log_odds.rows());
+  out << line << "\n255\n";
+  for (Eigen::Index gy = log_odds.rows() - 1; gy >= 0; --gy) {
     line.clear();
-    for (Eigen::Index gx = 0; gx < spec.width; ++gx) {
+    for (Eigen::Index gx = 0; gx < log_odds.cols(); ++gx) {
       if (gx > 0) line += ' ';
-      append(line, pixel(grid.log_odds(gy, gx)));
+      append(line, pixel(log_odds(gy, gx)));
     }
     out << line << '\n';
   }
 }
 // [/snippet]
 
+namespace {
+
+/// A file name as YAML has it: plain where nothing can be mistaken, else in
+/// double quotes.
+std::string quoted(const std::string& name) {
+  constexpr std::string_view hexadecimal = "0123456789ABCDEF";
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
+  };
+  if (!name.empty() && std::all_of(name.begin(), name.end(), is_plain) &&
+      name[0] != '-' && name[0] != '.') {
+    return name;
+  }
+  std::string text = "\"";
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7f) {
+      text += {'\\', 'x', hexadecimal[byte >> 4], hexadecimal[byte & 15]};
+    } else {
+      if (c == '"' || c == '\\') text += '\\';
+      text += c;
+    }
+  }
+  return text += '"';
+}
+
+}  // namespace
+
 void map_yaml(const OccupancyGrid& grid, const std::string& image,
               std::ostream& out) {
-  const GridSpec& spec = grid.spec;
-  out << "image: " << image << "\n"
+  const GridSpec& spec = grid.spec();
+  // Between the thresholds lies what is not known: the prior, as its pixel
+  // reads back.
+  const double l0 = grid.l0();
+  const double prior = 255.0 - pixel(l0);
+  const double occupied = std::min(
+      1.0, std::max(sigmoid(l0 + logit(0.65)), (prior + 0.5) / 255.0));
+  const double free = std::max(
+      0.0, std::min(sigmoid(l0 + logit(0.196)), (prior - 0.5) / 255.0));
+  out << "image: " << quoted(image) << "\n"
       << "mode: trinary\n"
       << "resolution: " << fixed(spec.resolution) << "\n"
       << "origin: [" << fixed(spec.origin_x) << ", " << fixed(spec.origin_y)
       << ", 0.0]\n"
       << "negate: 0\n"
-      << "occupied_thresh: 0.65\n"
-      << "free_thresh: 0.196\n";
+      << "occupied_thresh: " << fixed(occupied) << "\n"
+      << "free_thresh: " << fixed(free) << "\n";
 }
 
 void map_log_odds(const OccupancyGrid& grid, std::ostream& out) {
-  const GridSpec& spec = grid.spec;
-  out << "# logodds " << spec.width << ' ' << spec.height << '\n';
-  std::string line;
-  for (Eigen::Index gy = 0; gy < spec.height; ++gy) {
+  const GridArray& log_odds = grid.log_odds();
+  std::string line = "# logodds ";
+  append(line, log_odds.cols());
+  line += ' ';
+  append(line, log_odds.rows());
+  out << line << '\n';
+  for (Eigen::Index gy = 0; gy < log_odds.rows(); ++gy) {
     line.clear();
-    for (Eigen::Index gx = 0; gx < spec.width; ++gx) {
+    for (Eigen::Index gx = 0; gx < log_odds.cols(); ++gx) {
       if (gx > 0) line += ' ';
-      append(line, grid.log_odds(gy, gx));
+      append(line, log_odds(gy, gx));
     }
     out << line << '\n';
   }
 }
 
 WriteError::WriteError(const std::string& path)
-    : std::runtime_error(path + ": cannot be written") {}
+    : std::runtime_error(one_line(path) + ": cannot be written") {}
 
-namespace {
-
-/// A file that is written under another name beside its own and takes its name
-/// when it is whole. What was not published is removed.
-class FileBeside {
- public:
-  FileBeside(std::filesystem::path path, const std::string& suffix)
-      : path_(std::move(path)), beside_(path_) {
-    beside_.replace_filename("." + path_.filename().string() + suffix);
-  }
-
-  FileBeside(const FileBeside&) = delete;
-  FileBeside& operator=(const FileBeside&) = delete;
-
-  ~FileBeside() {
-    std::error_code ignored;
-    if (written_) std::filesystem::remove(beside_, ignored);
-  }
-
-  void write(const std::function<void(std::ostream&)>& contents) {
-    std::ofstream out(beside_, std::ios::binary);
-    written_ = out.is_open();
-    contents(out);
-    out.close();
-    if (!out) throw WriteError(path_.string());
-  }
-
-  void publish() {
-    std::error_code error;
-    std::filesystem::rename(beside_, path_, error);
-    if (error) throw WriteError(path_.string());
-    written_ = false;
-  }
-
- private:
-  std::filesystem::path path_;
-  std::filesystem::path beside_;
-  bool written_ = false;
-};
-
-}  // namespace
-
-void write_map(const std::filesystem::path& folder, const std::string& name,
+void write_map(const std::string& folder, const std::string& name,
                const OccupancyGrid& grid) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder, error))
-    throw WriteError(folder.string());
-
-  // a random suffix, so that two runs into one folder do not meet
-  std::string suffix = ".";
-  append(suffix, std::random_device{}());
-  suffix += ".part";
-  FileBeside pgm(folder / (name + ".pgm"), suffix);
-  FileBeside yaml(folder / (name + ".yaml"), suffix);
-  FileBeside log_odds(folder / (name + ".logodds"), suffix);
-  pgm.write([&](std::ostream& out) { map_pgm(grid, out); });
-  yaml.write([&](std::ostream& out) { map_yaml(grid, name + ".pgm", out); });
-  log_odds.write([&](std::ostream& out) { map_log_odds(grid, out); });
-  pgm.publish();
-  yaml.publish();
-  log_odds.publish();
+  WholeFiles files(folder);
+  const std::string image = name + ".pgm";
+  files.write(image, [&](std::ostream& out) { map_pgm(grid, out); });
+  files.write(name + ".yaml",
+              [&](std::ostream& out) { map_yaml(grid, image, out); });
+  files.write(name + ".logodds",
+              [&](std::ostream& out) { map_log_odds(grid, out); });
+  files.publish();
 }
 
 }  // namespace occgrid

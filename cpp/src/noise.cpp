@@ -1,9 +1,9 @@
-#include "noise.hpp"
+#include "occgrid/noise.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "portable_math.hpp"
+#include "occgrid/portable_math.hpp"
 
 namespace occgrid {
 
@@ -37,13 +37,16 @@ double normal_deviate(std::uint32_t seed, std::uint32_t scan,
 // [/snippet]
 
 // [snippet: range-noise]
-void add_range_noise(Eigen::ArrayXd& ranges, double noise_std,
-                     std::uint32_t seed, std::uint32_t scan, double z_max) {
+Eigen::ArrayXd add_range_noise(const Eigen::ArrayXd& ranges, double noise_std,
+                               std::uint32_t seed, std::uint32_t scan,
+                               double z_max) {
+  Eigen::ArrayXd noisy(ranges.size());
   for (Eigen::Index i = 0; i < ranges.size(); ++i) {
     const auto beam = static_cast<std::uint32_t>(i);
     const double deviate = normal_deviate(seed, scan, beam);
-    ranges[i] = std::clamp(ranges[i] + noise_std * deviate, 0.0, z_max);
+    noisy[i] = std::clamp(ranges[i] + noise_std * deviate, 0.0, z_max);
   }
+  return noisy;
 }
 // [/snippet]
 

@@ -1,4 +1,4 @@
-#include "portable_math.hpp"
+#include "occgrid/portable_math.hpp"
 
 #include <algorithm>
 

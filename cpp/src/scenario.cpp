@@ -1,19 +1,21 @@
-#include "scenario.hpp"
+#include "occgrid/scenario.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <atomic>
 #include <limits>
 #include <memory>
+#include <string_view>
+
+#include "line_reader.hpp"
+#include "numbers.hpp"
+#include "one_line.hpp"
 
 namespace occgrid {
 namespace {
 
 constexpr std::int64_t max_cells = 25000000;
 constexpr std::int64_t max_range_cells = 1000000;
-constexpr std::int64_t max_whole = std::int64_t{1} << 62;
 
 enum class Kind { whole, real, probability, no_return };
 
@@ -33,7 +35,8 @@ struct Limits {
   std::string_view high;
 };
 
-constexpr Limits coordinate_limits{"-1000000", "1000000"};
+constexpr Limits coordinate_limits{"-10000000", "10000000"};
+constexpr Limits angle_limits{"-1000000", "1000000"};
 constexpr Limits beam_limits{"1", "100000"};
 constexpr Limits remission_limits{"0", "100000"};
 
@@ -52,13 +55,14 @@ constexpr Parameter probability(std::string_view name,
   return {name, Kind::probability, "", "", nullptr, value};
 }
 
-constexpr std::array<Parameter, 15> parameters{{
+constexpr std::array<Parameter, 16> parameters{{
     whole("width", {"1", "25000000"}, &Settings::width),
     whole("height", {"1", "25000000"}, &Settings::height),
     real("resolution", {"0.001", "1000"}, &Settings::resolution),
     real("origin_x", coordinate_limits, &Settings::origin_x),
     real("origin_y", coordinate_limits, &Settings::origin_y),
     real("max_range", {"0.001", "10000"}, &Settings::max_range),
+    real("min_range", {"0", "10000"}, &Settings::min_range),
     probability("p0", &Settings::p0),
     probability("p_occ", &Settings::p_occ),
     probability("p_free", &Settings::p_free),
@@ -72,14 +76,10 @@ constexpr std::array<Parameter, 15> parameters{{
 constexpr std::size_t required = 6;  // the first rows
 
 constexpr std::string_view prefix = "occgrid_";
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Fields = std::vector<std::string_view>;
 
-// Characters are compared as such: the functions of <cctype> depend on the
-// locale.
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
@@ -93,14 +93,6 @@ bool is_plain(char c) {
 
 bool starts_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
-}
-
-bool equals_ignoring_case(std::string_view text, std::string_view lower) {
-  const auto same = [](char a, char b) {
-    return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);
-  };
-  return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
-                    same);
 }
 
 void split(std::string_view line, Fields& fields) {
@@ -121,69 +113,10 @@ void drop_comment(Fields& fields) {
   fields.erase(comment, fields.end());
 }
 
-/// An unsigned decimal, correctly rounded, or none.
-std::optional<double> parse_decimal(std::string_view text) {
-  constexpr std::array<double, 23> powers_of_ten{
-      1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  constexpr std::int64_t exact_integers = std::int64_t{1} << 53;
-  constexpr int exact_powers = 22;
-
-  std::int64_t digits = 0;  // without the point
-  int scale = 0;            // the value is digits * 10^scale
-  bool exact = true;        // whether digits holds all of them
-  std::size_t count = 0;
-  std::size_t i = 0;
-  const auto take_digits = [&] {
-    for (; i < text.size() && is_digit(text[i]); ++i, ++count) {
-      exact = exact && digits <= exact_integers / 10 - 1;
-      if (exact) digits = 10 * digits + (text[i] - '0');
-    }
-  };
-  take_digits();
-  if (i < text.size() && text[i] == '.') {
-    ++i;
-    const std::size_t before = count;
-    take_digits();
-    if (count - before > exact_powers) exact = false;
-    if (exact) scale = -static_cast<int>(count - before);
-  }
-  if (count == 0) return std::nullopt;
-  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-    ++i;
-    const bool negative = i < text.size() && text[i] == '-';
-    if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
-    const std::size_t start = i;
-    int exponent = 0;
-    for (; i < text.size() && is_digit(text[i]); ++i) {
-      exponent = std::min(10 * exponent + (text[i] - '0'), 1000);
-    }
-    if (i == start) return std::nullopt;
-    scale += negative ? -exponent : exponent;
-  }
-  if (i < text.size()) return std::nullopt;
-
-  // both exact as doubles: one operation, rounded once
-  if (exact && std::abs(scale) <= exact_powers) {
-    const double power =
-        powers_of_ten[static_cast<std::size_t>(std::abs(scale))];
-    const auto number = static_cast<double>(digits);
-    return scale < 0 ? number / power : number * power;
-  }
-  // the general case; std::from_chars would not tell overflow from underflow,
-  // and few have it
-  return std::strtod(std::string(text).c_str(), nullptr);
-}
-
-/// Goes through a file line by line; line_ is the number of the last one read.
+/// Goes through a file line by line.
 class Reader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(file, ignored))
-      stream_.open(file, std::ios::binary);
-    if (!stream_.is_open()) fail("cannot be read");
-  }
+  explicit Reader(const std::string& path) : path_(path), lines_(path) {}
 
   /// The settings and walls, up to the first scan.
   void read_settings() {
@@ -215,6 +148,11 @@ class Reader {
     return std::nullopt;
   }
 
+  /// Fails where the file cannot be read from its start again.
+  void require_another_time() const {
+    if (!lines_.can_be_read_again()) fail("cannot be read a second time");
+  }
+
   const Settings& settings() const { return settings_; }
   const std::vector<Segment>& walls() const { return walls_; }
 
@@ -225,7 +163,7 @@ class Reader {
 
   [[noreturn]] void fail_at(std::int64_t line,
                             const std::string& reason) const {
-    throw ScenarioError(file_, line, reason);
+    throw ScenarioError(path_, line, reason);
   }
 
   /// Fails with "FIELD 'TOKEN' IS_WHAT".
@@ -240,13 +178,14 @@ class Reader {
   /// Goes to the next line that is neither blank nor a comment, and splits it;
   /// false at the end.
   bool next_line() {
-    while (std::getline(stream_, text_)) {
+    for (std::string_view text; lines_.next(text);) {
       ++line_;
-      if (!text_.empty() && text_.back() == '\r') text_.pop_back();
-      split(text_, fields_);
+      if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+      split(text, fields_);
       if (fields_.empty() || fields_[0][0] == '#') continue;
-      if (!std::all_of(text_.begin(), text_.end(), is_plain))
+      if (!std::all_of(text.begin(), text.end(), is_plain)) {
         fail("not plain ASCII text");
+      }
       const bool plain_word =
           std::all_of(fields_[0].begin(), fields_[0].end(), is_word);
       if (!plain_word || is_digit(fields_[0][0])) {
@@ -254,7 +193,7 @@ class Reader {
       }
       return true;
     }
-    if (stream_.bad()) fail("cannot be read");
+    if (lines_.failed()) fail("cannot be read");
     return false;
   }
 
@@ -325,7 +264,7 @@ class Reader {
   /// Checks the parameters as a whole, at the first scan.
   void check_settings() const {
     for (std::size_t i = 0; i < required; ++i) {
-      if (lines_[i] == 0) {
+      if (given_at_[i] == 0) {
         fail(std::string(prefix) + std::string(parameters[i].name) +
              " is missing");
       }
@@ -350,11 +289,15 @@ class Reader {
       fail_at(latest({"p0", "l_min", "l_max"}),
               "logit(occgrid_p0) is not from occgrid_l_min to occgrid_l_max");
     }
+    if (!(settings_.min_range < settings_.max_range)) {
+      fail_at(latest({"min_range", "max_range"}),
+              "occgrid_min_range is not below occgrid_max_range");
+    }
   }
 
   /// The number of the line that gave a parameter; 0 while none did.
   std::int64_t& line_of(const Parameter& row) {
-    return lines_[static_cast<std::size_t>(&row - parameters.data())];
+    return given_at_[static_cast<std::size_t>(&row - parameters.data())];
   }
 
   /// The latest of the lines of these parameters.
@@ -363,7 +306,7 @@ class Reader {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       if (std::find(names.begin(), names.end(), parameters[i].name) !=
           names.end()) {
-        line = std::max(line, lines_[i]);
+        line = std::max(line, given_at_[i]);
       }
     }
     return line;
@@ -408,8 +351,8 @@ class Reader {
            std::to_string(n + m + 23) + " values, found " +
            std::to_string(found));
     }
-    const double start = coordinate("start", value(1));
-    const double step = coordinate("step", value(3));
+    const double start = angle("start", value(1));
+    const double step = angle("step", value(3));
     Eigen::ArrayXd r = ranges(8, n);
     Eigen::ArrayXd angles(r.size());
     for (Eigen::Index i = 0; i < angles.size(); ++i) {
@@ -422,21 +365,22 @@ class Reader {
   Pose pose(std::size_t first) const {
     const double x = coordinate("x", value(first));
     const double y = coordinate("y", value(first + 1));
-    const double theta = coordinate("theta", value(first + 2));
+    const double theta = angle("theta", value(first + 2));
     return {x, y, theta};
   }
 
   /// n ranges in metres, NaN and infinity among them, the values from the
-  /// first on.
+  /// first on. One below min_range becomes NaN, which is ignored.
   Eigen::ArrayXd ranges(std::size_t first, std::size_t n) const {
     Eigen::ArrayXd r(static_cast<Eigen::Index>(n));
     for (std::size_t i = 0; i < n; ++i) {
       const std::string_view token = value(first + i);
-      const std::optional<double> range = parse_number(token);
+      std::optional<double> range = parse_number(token);
       if (!range || *range < 0.0) {
         fail_value("range " + std::to_string(i), token,
                    range ? "is negative" : "is not a number");
       }
+      if (*range < settings_.min_range) range = nan;
       r[static_cast<Eigen::Index>(i)] = *range;
     }
     return r;
@@ -489,6 +433,10 @@ class Reader {
     return real_number(field, token, coordinate_limits);
   }
 
+  double angle(const std::string& field, std::string_view token) const {
+    return real_number(field, token, angle_limits);
+  }
+
   [[noreturn]] void fail_limits(const std::string& field,
                                 std::string_view token, Limits limits) const {
     fail_value(field, token,
@@ -496,15 +444,14 @@ class Reader {
                    std::string(limits.high));
   }
 
-  std::string file_;
-  std::ifstream stream_;
-  std::int64_t line_ = 0;
-  std::string text_;  // of the line
-  Fields fields_;     // of the line, views into text_
+  std::string path_;
+  LineReader lines_;
+  std::int64_t line_ = 0;  // the number of the last one read
+  Fields fields_;          // of the line, good until the next is read
   bool at_first_scan_ = true;
   Settings settings_;
-  std::array<std::int64_t, parameters.size()>
-      lines_{};  // that gave each parameter, or 0
+  /// The line that gave each parameter, or 0.
+  std::array<std::int64_t, parameters.size()> given_at_{};
   std::vector<Segment> walls_;
 };
 
@@ -515,56 +462,37 @@ OccupancyGrid Settings::new_grid() const {
   return OccupancyGrid(spec, p0, p_occ, p_free, l_min, l_max);
 }
 
-ScenarioError::ScenarioError(const std::string& file, std::int64_t line_,
-                             const std::string& reason_)
-    : std::runtime_error(file + ":" + std::to_string(line_) + ": " + reason_),
-      line(line_),
-      reason(reason_) {}
+ScenarioError::ScenarioError(const std::string& file, std::int64_t line,
+                             const std::string& reason)
+    : std::runtime_error(one_line(file) + ":" + std::to_string(line) + ": " +
+                         reason),
+      line_(line),
+      reason_(reason) {}
 
-Scenario read_scenario(const std::string& file) {
-  const auto reader = std::make_shared<Reader>(file);
-  reader->read_settings();
-  return {scenario_name(file), reader->settings(), reader->walls(),
-          [reader] { return reader->next_scan(); }};
+Scenario read_scenario(const std::string& path) {
+  const auto first = std::make_shared<Reader>(path);
+  first->read_settings();
+  // The reader at hand gives the scans the first time, so that a pipe can be
+  // mapped. After that each time has a reader of its own.
+  const auto taken = std::make_shared<std::atomic<bool>>(false);
+  const auto scans = [path, first, taken]() -> ScanSource {
+    std::shared_ptr<Reader> reader = first;
+    if (taken->exchange(true)) {
+      first->require_another_time();
+      reader = std::make_shared<Reader>(path);
+      reader->read_settings();
+    }
+    return [reader] { return reader->next_scan(); };
+  };
+  return {scenario_name(path), first->settings(), first->walls(), scans};
 }
 
-std::string scenario_name(const std::string& file) {
-  const std::string file_name =
-      std::filesystem::path(file).filename().string();
-  const std::size_t dot = file_name.rfind('.');
-  return dot == std::string::npos || dot == 0 ? file_name
-                                              : file_name.substr(0, dot);
-}
-
-std::optional<double> parse_number(std::string_view token) {
-  const bool negative = !token.empty() && token[0] == '-';
-  if (negative || (!token.empty() && token[0] == '+')) token.remove_prefix(1);
-  if (equals_ignoring_case(token, "nan"))
-    return std::numeric_limits<double>::quiet_NaN();
-
-  double magnitude = std::numeric_limits<double>::infinity();
-  if (!equals_ignoring_case(token, "inf") &&
-      !equals_ignoring_case(token, "infinity")) {
-    const std::optional<double> decimal = parse_decimal(token);
-    if (!decimal) return std::nullopt;
-    magnitude = *decimal;
-  }
-  // Near the ends of the range languages read differently; no measurement lies
-  // there.
-  if (magnitude >= 1e300) magnitude = std::numeric_limits<double>::infinity();
-  if (magnitude < 1e-300) return 0.0;
-  return negative ? -magnitude : magnitude;
-}
-
-std::optional<std::int64_t> parse_whole(std::string_view token) {
-  if (token.empty() || !std::all_of(token.begin(), token.end(), is_digit))
-    return std::nullopt;
-  std::int64_t value = 0;
-  for (const char c : token) {
-    if (value > max_whole / 10) return max_whole;
-    value = 10 * value + (c - '0');
-  }
-  return std::min(value, max_whole);
+std::string scenario_name(const std::string& path) {
+  const std::size_t end = path.find_last_not_of('/') + 1;
+  const std::size_t start = path.substr(0, end).rfind('/') + 1;
+  const std::string file = path.substr(start, end - start);
+  const std::size_t dot = file.rfind('.');
+  return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
 }
 
 }  // namespace occgrid

@@ -1,10 +1,10 @@
-#include "world.hpp"
+#include "occgrid/world.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "portable_math.hpp"
+#include "occgrid/portable_math.hpp"
 
 namespace occgrid {
 

@@ -2,7 +2,10 @@
 
 #include <cmath>
 
-#include "grid.hpp"
+#include <limits>
+#include <stdexcept>
+
+#include "occgrid/grid.hpp"
 
 namespace {
 
@@ -41,7 +44,7 @@ TEST(Grid, CentersLieInTheirCells) {
   const OccupancyGrid grid(lesson_spec);
   for (std::int64_t gy = 0; gy < 180; gy += 7) {
     for (std::int64_t gx = 0; gx < 220; gx += 3) {
-      const occgrid::Point center = grid.grid_to_world_center({gx, gy});
+      const occgrid::Point center = grid.grid_to_world_center(gx, gy);
       EXPECT_EQ(grid.world_to_grid(center.x, center.y), (Cell{gx, gy}));
     }
   }
@@ -49,47 +52,94 @@ TEST(Grid, CentersLieInTheirCells) {
 
 TEST(Grid, InBounds) {
   const OccupancyGrid grid(lesson_spec);
-  EXPECT_TRUE(grid.in_bounds({0, 0}));
-  EXPECT_TRUE(grid.in_bounds({219, 179}));
-  EXPECT_FALSE(grid.in_bounds({-1, 0}));
-  EXPECT_FALSE(grid.in_bounds({0, -1}));
-  EXPECT_FALSE(grid.in_bounds({220, 0}));
-  EXPECT_FALSE(grid.in_bounds({0, 180}));
+  EXPECT_TRUE(grid.in_bounds(0, 0));
+  EXPECT_TRUE(grid.in_bounds(219, 179));
+  EXPECT_FALSE(grid.in_bounds(-1, 0));
+  EXPECT_FALSE(grid.in_bounds(0, -1));
+  EXPECT_FALSE(grid.in_bounds(220, 0));
+  EXPECT_FALSE(grid.in_bounds(0, 180));
 }
 
 TEST(Grid, UpdateCellAddsAndClamps) {
   OccupancyGrid grid({3, 2, 1.0, 0.0, 0.0}, 0.5, 0.75, 0.3, -2.0, 2.0);
-  grid.update_cell({1, 0}, grid.l_occ);
-  EXPECT_EQ(grid.log_odds(0, 1), grid.l_occ);
-  grid.update_cell({1, 0}, grid.l_occ);
-  EXPECT_EQ(grid.log_odds(0, 1), 2.0);
-  grid.update_cell({1, 0}, grid.l_free);
-  EXPECT_EQ(grid.log_odds(0, 1), 2.0 + grid.l_free);
-  for (int i = 0; i < 10; ++i) grid.update_cell({2, 1}, grid.l_free);
-  EXPECT_EQ(grid.log_odds(1, 2), -2.0);
-  const occgrid::GridArray before = grid.log_odds;
+  grid.update_cell(1, 0, grid.l_occ());
+  EXPECT_EQ(grid.log_odds()(0, 1), grid.l_occ());
+  grid.update_cell(1, 0, grid.l_occ());
+  EXPECT_EQ(grid.log_odds()(0, 1), 2.0);
+  grid.update_cell(1, 0, grid.l_free());
+  EXPECT_EQ(grid.log_odds()(0, 1), 2.0 + grid.l_free());
+  for (int i = 0; i < 10; ++i) grid.update_cell(2, 1, grid.l_free());
+  EXPECT_EQ(grid.log_odds()(1, 2), -2.0);
+  const occgrid::GridArray before = grid.log_odds();
   for (const Cell outside :
        {Cell{-1, 0}, Cell{3, 0}, Cell{0, -1}, Cell{0, 2}}) {
-    grid.update_cell(outside, grid.l_occ);
+    grid.update_cell(outside.gx, outside.gy, grid.l_occ());
   }
-  EXPECT_TRUE((grid.log_odds == before).all());
+  EXPECT_TRUE((grid.log_odds() == before).all());
 }
 
 TEST(Grid, StartsAtThePrior) {
   const OccupancyGrid grid({4, 3, 1.0, 0.0, 0.0}, 0.2);
-  EXPECT_TRUE((grid.log_odds == occgrid::logit(0.2)).all());
+  EXPECT_TRUE((grid.log_odds() == occgrid::logit(0.2)).all());
   const occgrid::GridArray p = grid.probability_grid();
   EXPECT_EQ(p.rows(), 3);
   EXPECT_EQ(p.cols(), 4);
   EXPECT_NEAR(p(2, 3), 0.2, 1e-15);
 }
 
+// A grid is a value: two of them have nothing in common.
+TEST(Grid, OwnsItsCells) {
+  OccupancyGrid one({3, 2, 1.0, 0.0, 0.0});
+  OccupancyGrid other = one;
+  other.update_cell(1, 1, other.l_occ());
+  EXPECT_EQ(one.log_odds()(1, 1), 0.0);
+  EXPECT_EQ(other.log_odds()(1, 1), other.l_occ());
+  const occgrid::GridArray difference = other.log_odds() - one.log_odds();
+  EXPECT_EQ((difference != 0.0).count(), 1);
+  one = OccupancyGrid({5, 4, 2.0, 0.0, 0.0}, 0.3);
+  EXPECT_EQ(one.spec().width, 5);
+  EXPECT_EQ(one.log_odds().rows(), 4);
+  EXPECT_EQ(other.log_odds().rows(), 2);
+}
+
+TEST(Grid, BadArguments) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const GridSpec& spec :
+       {GridSpec{0, 1, 1, 0, 0}, GridSpec{1, -1, 1, 0, 0},
+        GridSpec{1, 1, 0, 0, 0}, GridSpec{1, 1, -1, 0, 0},
+        GridSpec{1, 1, nan, 0, 0}, GridSpec{1, 1, 1, infinity, 0},
+        GridSpec{1, 1, 1, 0, nan},
+        GridSpec{std::int64_t{1} << 40, std::int64_t{1} << 40, 1, 0, 0}}) {
+    EXPECT_THROW(OccupancyGrid{spec}, std::invalid_argument);
+  }
+  const GridSpec cell{1, 1, 1.0, 0.0, 0.0};
+  EXPECT_THROW(OccupancyGrid(cell, nan), std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid(cell, 0.5, 1.5), std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid(cell, 0.5, 0.7, -0.1), std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid(cell, 0.5, 0.7, 0.3, 1.0, 2.0),
+               std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid(cell, 0.9, 0.7, 0.3, -2.0, 2.0),
+               std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid(cell, 0.5, 0.7, 0.3, 0.0, 0.0),
+               std::invalid_argument);
+  EXPECT_THROW(OccupancyGrid(cell, 0.5, 0.7, 0.3, nan, 2.0),
+               std::invalid_argument);
+}
+
+// As far out as a scenario may be: 1e7 m, cells of 0.001 m.
+TEST(Grid, FarFromTheOrigin) {
+  const OccupancyGrid grid({10, 10, 0.001, 1e7, -1e7});
+  EXPECT_EQ(grid.world_to_grid(-1e7, 1e7), (Cell{-20000000000, 20000000000}));
+  EXPECT_EQ(grid.world_to_grid(1e7 + 0.0045, -1e7 + 0.0005), (Cell{4, 0}));
+}
+
 // Lesson section 7, Problem 1: 30 m x 20 m at 0.05 m.
 TEST(Grid, ProblemOne) {
   const OccupancyGrid grid({600, 400, 0.05, 0.0, 0.0});
   EXPECT_EQ(grid.world_to_grid(30.0, 20.0), (Cell{600, 400}));
-  EXPECT_EQ(grid.log_odds.size(), 240000);
-  EXPECT_EQ(static_cast<std::size_t>(grid.log_odds.size()) * sizeof(double),
+  EXPECT_EQ(grid.log_odds().size(), 240000);
+  EXPECT_EQ(static_cast<std::size_t>(grid.log_odds().size()) * sizeof(double),
             1920000u);
 }
 
@@ -101,7 +151,7 @@ TEST(Grid, ProblemFour) {
     const double odds0 = p0 / (1.0 - p0);
     const double odds_inv = 0.3 / 0.7;
     for (int t = 1; t <= 20; ++t) {
-      grid.update_cell({0, 0}, grid.l_free);
+      grid.update_cell(0, 0, grid.l_free());
       const double odds = odds0 * std::pow(odds_inv / odds0, t);
       EXPECT_NEAR(grid.probability_grid()(0, 0), odds / (1.0 + odds), 1e-14);
     }

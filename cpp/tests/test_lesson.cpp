@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "lesson.hpp"
-#include "mapper.hpp"
-#include "noise.hpp"
-#include "ray.hpp"
+#include "occgrid/lesson.hpp"
+#include "occgrid/mapper.hpp"
+#include "occgrid/noise.hpp"
+#include "occgrid/ray.hpp"
 #include "temp_folder.hpp"
 
 namespace {
@@ -28,10 +28,10 @@ TEST(Lesson, Beams) {
   EXPECT_EQ(walls.size(), 6u);
   const auto grid = settings.new_grid();
   const auto angles = occgrid::beam_angles(settings.fov, settings.beams);
-  long outside = 0, hits = 0;
+  std::int64_t outside = 0, hits = 0;
   for (const auto& pose : occgrid::lesson_poses()) {
-    if (!grid.in_bounds(grid.world_to_grid(pose.x, pose.y)))
-      outside += settings.beams;
+    const auto [gx, gy] = grid.world_to_grid(pose.x, pose.y);
+    if (!grid.in_bounds(gx, gy)) outside += settings.beams;
     const auto ranges =
         occgrid::simulate_lidar_scan(pose, walls, angles, settings.max_range);
     hits += (ranges < settings.max_range - 1e-12).count();
@@ -40,13 +40,13 @@ TEST(Lesson, Beams) {
   EXPECT_EQ(hits, 17356);
 }
 
-TEST(Lesson, MapOfTheRoom) {
+TEST(Lesson, MapOfTheWorld) {
   const auto grid =
       occgrid::map_scenario(occgrid::lesson_scenario(), std::nullopt);
-  EXPECT_EQ(grid.log_odds.rows(), 180);
-  EXPECT_EQ(grid.log_odds.cols(), 220);
-  EXPECT_GE(grid.log_odds.minCoeff(), -8.0);
-  EXPECT_LE(grid.log_odds.maxCoeff(), 8.0);
+  EXPECT_EQ(grid.log_odds().rows(), 180);
+  EXPECT_EQ(grid.log_odds().cols(), 220);
+  EXPECT_GE(grid.log_odds().minCoeff(), -8.0);
+  EXPECT_LE(grid.log_odds().maxCoeff(), 8.0);
   const auto p = grid.probability_grid();
   const auto free = grid.world_to_grid(-5.0, 0.0);
   EXPECT_LT(p(free.gy, free.gx), 0.01);
@@ -55,7 +55,7 @@ TEST(Lesson, MapOfTheRoom) {
 
 TEST(Lesson, NoiseIsOfTheSeed) {
   const auto map = [](std::optional<std::uint32_t> seed) {
-    return occgrid::map_scenario(occgrid::lesson_scenario(), seed).log_odds;
+    return occgrid::map_scenario(occgrid::lesson_scenario(), seed).log_odds();
   };
   const auto noise_free = map(std::nullopt);
   EXPECT_TRUE((map(7) == map(7)).all());
@@ -78,9 +78,11 @@ TEST(Lesson, NoiseOfAScanBetweenRecordedOnes) {
   const auto file =
       folder.write("mixed.log", head + recorded + "POSE 0 0 0\n" + recorded);
   const auto grid = occgrid::map_scenario(occgrid::read_scenario(file), 11);
-  EXPECT_EQ(grid.log_odds(0, 300), grid.l_free + grid.l_occ + grid.l_occ);
+  EXPECT_EQ(grid.log_odds()(0, 300),
+            grid.l_free() + grid.l_occ() + grid.l_occ());
   const double range = 5.0 + 0.02 * occgrid::normal_deviate(11, 1, 0);
-  EXPECT_EQ(grid.log_odds(0, grid.world_to_grid(range, 0.0).gx), grid.l_occ);
+  EXPECT_EQ(grid.log_odds()(0, grid.world_to_grid(range, 0.0).gx),
+            grid.l_occ());
 }
 
 }  // namespace

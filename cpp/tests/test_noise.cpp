@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "noise.hpp"
-#include "portable_math.hpp"
+#include "occgrid/noise.hpp"
+#include "occgrid/portable_math.hpp"
 
 namespace {
 
@@ -44,14 +44,15 @@ TEST(Noise, DeviatesAreNormal) {
 }
 
 TEST(Noise, RangesGetTheirOwnDeviateAndAreClamped) {
-  Eigen::ArrayXd ranges = Eigen::ArrayXd::Constant(200, 5.0);
-  occgrid::add_range_noise(ranges, 0.02, 9, 3, 10.0);
+  const Eigen::ArrayXd ranges = Eigen::ArrayXd::Constant(200, 5.0);
+  const auto noisy = occgrid::add_range_noise(ranges, 0.02, 9, 3, 10.0);
   for (std::uint32_t i = 0; i < 200; ++i) {
-    EXPECT_EQ(ranges[i], 5.0 + 0.02 * occgrid::normal_deviate(9, 3, i));
+    EXPECT_EQ(noisy[i], 5.0 + 0.02 * occgrid::normal_deviate(9, 3, i));
   }
-  occgrid::add_range_noise(ranges, 1000.0, 9, 3, 10.0);
-  EXPECT_EQ(ranges.minCoeff(), 0.0);
-  EXPECT_EQ(ranges.maxCoeff(), 10.0);
+  EXPECT_TRUE((ranges == 5.0).all());
+  const auto far = occgrid::add_range_noise(ranges, 1000.0, 9, 3, 10.0);
+  EXPECT_EQ(far.minCoeff(), 0.0);
+  EXPECT_EQ(far.maxCoeff(), 10.0);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "portable_math.hpp"
+#include "occgrid/portable_math.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "portable_math.hpp"
-#include "world.hpp"
+#include "occgrid/portable_math.hpp"
+#include "occgrid/world.hpp"
 
 namespace {
 

@@ -7,14 +7,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
-#include "grid.hpp"
-#include "portable_math.hpp"
-#include "sensor.hpp"
-#include "world.hpp"
+#include "occgrid/grid.hpp"
+#include "occgrid/portable_math.hpp"
+#include "occgrid/sensor.hpp"
+#include "occgrid/world.hpp"
 
 namespace occgrid {
 
@@ -27,6 +26,7 @@ struct Settings {
   double origin_x = 0.0;
   double origin_y = 0.0;
   double max_range = 0.0;
+  double min_range = 0.0;
   double p0 = 0.5;
   double p_occ = 0.75;
   double p_free = 0.30;
@@ -41,40 +41,46 @@ struct Settings {
   OccupancyGrid new_grid() const;
 };
 
-/// A bare pose, whose scan is to be simulated, or a recorded scan.
+/// A bare pose, whose scan is to be simulated, or a recorded scan. Ranges
+/// below min_range have become NaN: they are ignored.
 using ScenarioScan = std::variant<Pose, Scan>;
+
+/// Gives the next scan each time that it is called, and none after the last.
+/// Throws ScenarioError.
+using ScanSource = std::function<std::optional<ScenarioScan>()>;
 
 /// Settings, walls and scans, the scans read one by one as they are asked for.
 struct Scenario {
   std::string name;
   Settings settings;
   std::vector<Segment> walls;
-  /// The next scan, or none after the last. Throws ScenarioError.
-  std::function<std::optional<ScenarioScan>()> next_scan;
+  /// The scans, from the first on each time that they are asked for: a
+  /// scenario can be mapped again. Throws ScenarioError where they cannot be
+  /// read again, as from a pipe.
+  std::function<ScanSource()> scans;
 };
 
-/// A scenario that breaks a rule; its text is "FILE:LINE: REASON".
+/// A scenario that breaks a rule; its text is "FILE:LINE: REASON", one line.
 class ScenarioError : public std::runtime_error {
  public:
   ScenarioError(const std::string& file, std::int64_t line,
                 const std::string& reason);
 
-  const std::int64_t line;
-  const std::string reason;
+  std::int64_t line() const { return line_; }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::int64_t line_;
+  std::string reason_;
 };
 
 /// Opens a scenario and reads it up to its first scan. Throws ScenarioError
-/// here for what is wrong before the first scan, and from next_scan for what
+/// here for what is wrong before the first scan, and from its scans for what
 /// is wrong later.
-Scenario read_scenario(const std::string& file);
+Scenario read_scenario(const std::string& path);
 
-/// A scenario's name: its file name without the part from its last dot on.
-std::string scenario_name(const std::string& file);
-
-/// A number of SPEC.md section 5.1, NaN and infinity included, or none.
-std::optional<double> parse_number(std::string_view token);
-
-/// A whole number, digits only; 2^62 for any that is greater. Or none.
-std::optional<std::int64_t> parse_whole(std::string_view token);
+/// A scenario's name: its file name without the part from its last dot on,
+/// where that is not its first character.
+std::string scenario_name(const std::string& path);
 
 }  // namespace occgrid

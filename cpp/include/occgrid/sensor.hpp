@@ -3,11 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <vector>
 
-#include "grid.hpp"
-#include "world.hpp"
+#include "occgrid/grid.hpp"
+#include "occgrid/world.hpp"
 
 namespace occgrid {
 
@@ -22,38 +20,27 @@ struct Scan {
   Eigen::ArrayXd ranges;
 };
 
+/// A yes or no for each beam: (n).
+using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
+
 /// What the ranges of a scan mean, beam by beam: each (n).
 struct Readings {
   Eigen::ArrayXd z;  ///< length of the beam, metres
-  Eigen::Array<bool, Eigen::Dynamic, 1>
-      hit;  ///< whether something stands at its end
-  Eigen::Array<bool, Eigen::Dynamic, 1> used;  ///< whether it says anything
+  Flags hit;         ///< whether something stands at its end
+  Flags used;        ///< whether it says anything
 };
 
 /// World points where the beams of a scan end: each (n), metres.
 struct Endpoints {
-  Eigen::ArrayXd x;
-  Eigen::ArrayXd y;
-};
-
-/// A beam that says something, in cells; both may lie outside the grid.
-struct Beam {
-  Cell robot;  ///< where it begins
-  Cell end;    ///< where it ends
-  bool hit;    ///< whether something stands there
-};
-
-/// Rows first .. last of a grid; none where last < first.
-struct Rows {
-  std::int64_t first;
-  std::int64_t last;
+  Eigen::ArrayXd ex;
+  Eigen::ArrayXd ey;
 };
 
 /// Bearings (n_beams, radians) of a simulated scan over `fov` radians.
 Eigen::ArrayXd beam_angles(double fov, Eigen::Index n_beams);
 
 /// Bearings (n_beams, radians) of a FLASER scan: its step is known by its
-/// count.
+/// count (SPEC.md section 5.3).
 Eigen::ArrayXd flaser_angles(Eigen::Index n_beams);
 
 /// What ranges (n, metres) mean. NaN is ignored. At z_max or beyond nothing
@@ -63,23 +50,15 @@ Readings read_ranges(const Eigen::ArrayXd& ranges, double z_max,
                      NoReturn no_return);
 
 /// Where beams of length z (n, metres) along bearings `angles` (n, radians)
-/// from a pose end.
+/// from a pose end. Throws std::invalid_argument where the counts differ.
 Endpoints beam_endpoints(const Pose& pose, const Eigen::ArrayXd& angles,
                          const Eigen::ArrayXd& z);
 
-/// The inverse sensor model: free along each beam, occupied at its hit. What
-/// lies outside the grid is skipped. A beam may cross 2^20 cells of the grid;
-/// a longer one throws std::length_error.
+/// The inverse sensor model (lesson section 4): free along each beam, occupied
+/// at its hit. What lies outside the grid is skipped. Throws
+/// std::length_error at a beam of more than 2^20 steps, and
+/// std::invalid_argument where there are not as many bearings as ranges.
 void update_grid_from_scan(OccupancyGrid& grid, const Scan& scan, double z_max,
                            NoReturn no_return = NoReturn::free);
-
-/// Appends the beams of a scan, in order, without those that say nothing.
-void append_beams(std::vector<Beam>& beams, const OccupancyGrid& grid,
-                  const Scan& scan, double z_max, NoReturn no_return);
-
-/// update_grid_from_scan for beams of any number of scans, in order, but only
-/// for some rows of the grid.
-void update_rows_from_beams(OccupancyGrid& grid,
-                            const std::vector<Beam>& beams, Rows rows);
 
 }  // namespace occgrid

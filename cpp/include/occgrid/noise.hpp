@@ -18,10 +18,11 @@ std::array<std::uint32_t, 4> philox4x32(std::array<std::uint32_t, 4> counter,
 double normal_deviate(std::uint32_t seed, std::uint32_t scan,
                       std::uint32_t beam);
 
-/// Adds noise of standard deviation noise_std (metres) to simulated ranges (n,
-/// metres), and keeps them within [0, z_max]. scan is the scan's number in its
+/// Simulated ranges (n, metres) with noise of standard deviation noise_std
+/// (metres), kept within [0, z_max]: (n). scan is the scan's number in its
 /// scenario. A beam that met no wall gets noise too, as in the lesson (6.1).
-void add_range_noise(Eigen::ArrayXd& ranges, double noise_std,
-                     std::uint32_t seed, std::uint32_t scan, double z_max);
+Eigen::ArrayXd add_range_noise(const Eigen::ArrayXd& ranges, double noise_std,
+                               std::uint32_t seed, std::uint32_t scan,
+                               double z_max);
 
 }  // namespace occgrid

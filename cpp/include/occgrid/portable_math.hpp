@@ -7,7 +7,8 @@
 // Eigen's array functions are polynomials of their own.
 //
 // Everything but the reduction of huge arguments stands in this header, so
-// that it can be inlined.
+// that it can be inlined. It is static: a program that includes it keeps the
+// copies that its own flags make to itself, and the library its own.
 #pragma once
 
 #include <cfloat>
@@ -32,30 +33,30 @@ constexpr double pi = 3.141592653589793;
 
 namespace detail {
 
-inline std::uint64_t bits_of(double x) {
+static inline std::uint64_t bits_of(double x) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);
   return bits;
 }
 
-inline double double_of(std::uint64_t bits) {
+static inline double double_of(std::uint64_t bits) {
   double x;
   std::memcpy(&x, &bits, sizeof x);
   return x;
 }
 
 /// Upper 32 bits of x, as a signed number.
-inline std::int32_t high_word(double x) {
+static inline std::int32_t high_word(double x) {
   return static_cast<std::int32_t>(bits_of(x) >> 32);
 }
 
 /// Upper 32 bits of |x|: they order magnitudes.
-inline std::int32_t abs_high_word(double x) {
+static inline std::int32_t abs_high_word(double x) {
   return high_word(x) & 0x7fffffff;
 }
 
 /// x * 2^k for results that stay normal.
-inline double add_to_exponent(double x, std::int64_t k) {
+static inline double add_to_exponent(double x, std::int64_t k) {
   return double_of(bits_of(x) + (static_cast<std::uint64_t>(k) << 52));
 }
 
@@ -84,12 +85,12 @@ constexpr std::int32_t npio2_high[32] = {
     0x4043a28c, 0x40446b9c, 0x404534ac, 0x4045fdbb, 0x4046c6cb, 0x40478fdb,
     0x404858eb, 0x404921fb};
 
-/// Reduction of any finite |x| above 2^19 * pi/2 (the method of Payne and
+/// Reduction of any finite |x| above 2^20 * pi/2 (the method of Payne and
 /// Hanek).
 Reduced rem_pio2_huge(double x);
 
 /// Reduction of |x| from pi/4 to 3pi/4: n is 1 or -1.
-inline Reduced rem_pio2_near(double x) {
+static inline Reduced rem_pio2_near(double x) {
   const double magnitude = std::fabs(x);
   double z = magnitude - pio2_1;
   double tail = pio2_1t;
@@ -102,9 +103,9 @@ inline Reduced rem_pio2_near(double x) {
   return x < 0.0 ? Reduced{-1, -y0, -y1} : Reduced{1, y0, y1};
 }
 
-/// Reduction of |x| up to 2^19 * pi/2, n being |x| / (pi/2) rounded to the
+/// Reduction of |x| up to 2^20 * pi/2, n being |x| / (pi/2) rounded to the
 /// nearest.
-inline Reduced rem_pio2_medium(double x) {
+static inline Reduced rem_pio2_medium(double x) {
   const std::int32_t ix = abs_high_word(x);
   const double magnitude = std::fabs(x);
   const int n = static_cast<int>(magnitude * inv_pio2 + 0.5);
@@ -137,12 +138,12 @@ inline Reduced rem_pio2_medium(double x) {
 }
 
 /// True where rem_pio2 has nothing to do: |x| is at most about pi/4.
-inline bool is_reduced(double x) {
+static inline bool is_reduced(double x) {
   return abs_high_word(x) <= 0x3fe921fb;
 }
 
 /// Reduction of any x that is not reduced yet; NaN for an infinity or NaN.
-inline Reduced rem_pio2(double x) {
+static inline Reduced rem_pio2(double x) {
   const std::int32_t ix = abs_high_word(x);
   if (ix < 0x4002d97c) return rem_pio2_near(x);
   if (ix <= 0x413921fb) return rem_pio2_medium(x);
@@ -155,7 +156,7 @@ constexpr double C3 = 0x1.a01a019cb159p-16, C4 = -0x1.27e4f809c52adp-22;
 constexpr double C5 = 0x1.1ee9ebdb4b1c4p-29, C6 = -0x1.8fae9be8838d4p-37;
 
 /// cos(x + y) for |x| <= pi/4, where y is the tail of x.
-inline double kernel_cos(double x, double y) {
+static inline double kernel_cos(double x, double y) {
   const std::int32_t ix = abs_high_word(x);
   if (ix < 0x3e400000) return 1.0;  // |x| < 2^-27
   const double z = x * x;
@@ -179,7 +180,7 @@ constexpr double S5 = -0x1.ae5e68a2b9cebp-26, S6 = 0x1.5d93a5acfd57cp-33;
 
 /// sin(x + y) for |x| <= pi/4, where y is the tail of x. reduced is false
 /// where x is no remainder and y is 0: that has a formula of its own.
-inline double kernel_sin(double x, double y, bool reduced) {
+static inline double kernel_sin(double x, double y, bool reduced) {
   if (abs_high_word(x) < 0x3e400000) return x;  // |x| < 2^-27
   const double z = x * x;
   const double v = z * x;
@@ -191,7 +192,7 @@ inline double kernel_sin(double x, double y, bool reduced) {
 }  // namespace detail
 
 /// Sine of x (radians), any double; NaN where x is infinite or NaN.
-inline double sin(double x) {
+static inline double sin(double x) {
   if (detail::is_reduced(x)) return detail::kernel_sin(x, 0.0, false);
   const auto [n, y0, y1] = detail::rem_pio2(x);
   switch (n & 3) {
@@ -208,7 +209,7 @@ inline double sin(double x) {
 // [/snippet]
 
 /// Cosine of x (radians), any double; NaN where x is infinite or NaN.
-inline double cos(double x) {
+static inline double cos(double x) {
   if (detail::is_reduced(x)) return detail::kernel_cos(x, 0.0);
   const auto [n, y0, y1] = detail::rem_pio2(x);
   switch (n & 3) {
@@ -229,7 +230,7 @@ struct SinCos {
 };
 
 /// {sin(x), cos(x)}, where x is reduced once for both.
-inline SinCos sin_cos(double x) {
+static inline SinCos sin_cos(double x) {
   using namespace detail;
   if (is_reduced(x)) return {kernel_sin(x, 0.0, false), kernel_cos(x, 0.0)};
   const auto [n, y0, y1] = rem_pio2(x);
@@ -265,7 +266,7 @@ constexpr double P5 = 0x1.6376972bea4dp-25;
 
 // [snippet: portable-exp]
 /// e to the power of x, any double; 0 and infinity where it leaves the range.
-inline double exp(double x) {
+static inline double exp(double x) {
   using namespace detail;
   if (std::isnan(x)) return x;
   if (x > exp_max) return std::numeric_limits<double>::infinity();
@@ -310,7 +311,7 @@ constexpr double third = 0x1.5555555555555p-2;
 
 // [snippet: portable-log]
 /// Natural logarithm of x, any double; -infinity at 0, NaN below it.
-inline double log(double x) {
+static inline double log(double x) {
   using namespace detail;
   if (x == 0.0) return -std::numeric_limits<double>::infinity();
   if (x < 0.0) return std::numeric_limits<double>::quiet_NaN();

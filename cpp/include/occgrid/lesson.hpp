@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "scenario.hpp"
-#include "world.hpp"
+#include "occgrid/scenario.hpp"
+#include "occgrid/world.hpp"
 
 namespace occgrid {
 

@@ -21,7 +21,8 @@ struct Segment {
   double y1;
 };
 
-/// The four walls of a rectangle, counterclockwise from the lower one.
+/// The four walls of a rectangle (metres), counterclockwise from the lower
+/// one.
 std::vector<Segment> build_box_world(double xmin, double ymin, double xmax,
                                      double ymax);
 
