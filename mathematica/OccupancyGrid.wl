@@ -1,20 +1,45 @@
 (* Occupancy grid mapping in the Wolfram Language, the same bits in every
    language. SPEC.md is the contract behind it.
 
-   The package's rooms are the files in OccupancyGrid/: PortableMath, Noise,
-   Grid, Ray, World, Sensor, Scenario, Lesson, Mapper, MapWriter, Picture and
-   Main. Each adds its public names to the context OccupancyGrid` and keeps the
-   rest in OccupancyGrid`Private`. Names are written without their context
-   everywhere: woxi, which runs the package where no Wolfram kernel is, reads
-   BeginPackage and Begin but keeps all symbols in one context. For the same
-   reason the rooms are looked for beside this file and beside the script that
-   runs, since $InputFileName is the script there. *)
+   OccupancyGrid/Usage.wl declares every public name before any code is read:
+   a name that is first read in the private context stays there, and nobody
+   defines it. The modules follow; each keeps its other names in
+   OccupancyGrid`Private`.
 
-With[{folder = SelectFirst[
-    Map[FileNameJoin[{DirectoryName[$InputFileName], #, "OccupancyGrid"}] &,
-      {".", ".."}],
-    FileExistsQ[FileNameJoin[{#, "PortableMath.wl"}]] &]},
-  Scan[
-    Get[FileNameJoin[{folder, # <> ".wl"}]] &,
-    {"PortableMath", "Noise", "Grid", "Ray", "World", "Sensor", "Scenario",
-      "Lesson", "Mapper", "MapWriter", "Picture", "Main"}]];
+   Get (or Needs) reads this file. Where it lies is known from
+   $InputFileName; on woxi that is the script that runs, so the package is
+   looked for around the script and the working directory too. A script that
+   lies elsewhere sets $OccupancyGridFolder first. *)
+
+BeginPackage["OccupancyGrid`"];
+
+OccupancyGrid::folder = "woxi does not say where OccupancyGrid.wl lies. Run \
+the script from the folder mathematica or the one above it, or set \
+$OccupancyGridFolder to the folder mathematica before Get.";
+
+Begin["OccupancyGrid`Private`"];
+
+packageFolders = Select[
+  Join[
+    If[StringQ[$OccupancyGridFolder], {$OccupancyGridFolder}, {}],
+    Flatten[Outer[
+      FileNameJoin[{#1, #2}] &,
+      {DirectoryName[$InputFileName], Directory[]},
+      {".", "mathematica", "..", FileNameJoin[{"..", "mathematica"}],
+        FileNameJoin[{"..", "..", "mathematica"}]}]]],
+  FileExistsQ[FileNameJoin[{#, "OccupancyGrid", "Usage.wl"}]] &];
+
+(* Nothing that uses the package can go on without it, and on woxi a script
+   would: it ends here with a status other than 0. *)
+If[packageFolders === {},
+  Message[OccupancyGrid::folder];
+  Exit[1]];
+
+Scan[
+  Get[FileNameJoin[{First[packageFolders], "OccupancyGrid", # <> ".wl"}]] &,
+  {"Usage", "Arguments", "PortableMath", "Noise", "Grid", "Ray", "World",
+    "Sensor", "Scenario", "Lesson", "Mapper", "Fast", "MapWriter", "MapFiles",
+    "Picture", "Main"}];
+
+End[];
+EndPackage[];

@@ -1,117 +1,147 @@
 (* The command line (SPEC.md section 6). *)
 
-BeginPackage["OccupancyGrid`"];
-
-OccgridMain::usage = "OccgridMain[arguments] runs the command and gives its \
-exit status.";
-$OccgridVersion::usage = "$OccgridVersion is the version of the port.";
-
-Begin["`Private`"];
+Begin["OccupancyGrid`Private`"];
 
 $OccgridVersion = "1.0.0";
 
-usageText = "usage: occgrid [--noise-free | --seed N] [--out DIR] \
+usageText = "usage: occgrid [--noise-free | --seed N] [--plain] [--out DIR] \
 [--plot FILE] [SCENARIO...]\n";
 
 helpText = usageText <> "
-Map range scans into an occupancy grid. Without a scenario: the built-in
-lesson.
+Maps range scans into an occupancy grid.
 
-  SCENARIO      scenario files (CARMEN logs)
+  SCENARIO      scenario files (CARMEN logs); without any: the built-in lesson
   --noise-free  simulate ranges without noise
-  --seed N      seed of the noise, 0 to 4294967295 (default: 0)
-  --out DIR     write NAME.pgm, NAME.yaml, NAME.logodds there
-  --plot FILE   draw the map with axes; the ending says the format
-  --version     the version
-  --help        this text
+  --seed N      the seed of the noise, 0 to 4294967295 (default: 0)
+  --plain       map beam by beam, with the program as the handouts print it
+  --out DIR     write NAME.pgm, NAME.yaml and NAME.logodds into DIR;
+                without it: the PGM on standard output
+  --plot FILE   draw the map, with axes in metres; the ending says the format
+  --version     print the version
+  --help        print this
 ";
 
-OccgridMain[arguments_List] := Catch[
+OccgridMain[arguments_List] /; VectorQ[arguments, StringQ] := Catch[
   Catch[
-    Catch[run[arguments], "usage", usageError],
+    Catch[run[readArguments[arguments]], "usage", usageError],
     "scenario", runError],
   "output", runError];
+OccgridMain[___] := wrongArguments[OccgridMain];
 
 usageError[reason_, _] := (
-  WriteString["stderr", usageText <> "occgrid: error: " <> reason <> "\n"];
+  WriteString["stderr", "occgrid: " <> oneLine[reason] <> "\n" <> usageText];
   2);
 
 runError[message_, _] := (
   WriteString["stderr", message <> "\n"];
   1);
 
-run[arguments_] := Module[{options},
-  options = readOptions[arguments];
-  Which[
-    options["help"],
-      WriteString["stdout", helpText],
-    options["version"],
-      WriteString["stdout", StringJoin["occgrid ", $OccgridVersion, " (",
-        $Version, ")\n"]],
-    options["scenarios"] === {},
-      mapOne[LessonScenario[], options],
-    True,
-      Scan[mapOne[ReadScenario[#], options] &, options["scenarios"]]];
-  0];
+(* --- Arguments --- *)
 
-(* Map one scenario and write what was asked for. *)
-mapOne[scenario_, options_] := Module[{grid},
-  grid = MapScenario[scenario, options["seed"]];
-  If[options["out"] === None,
-    If[!printText[MapPgm[grid]], cannotWrite["standard output"]],
-    WriteMap[options["out"], scenario["name"], grid]];
-  If[options["plot"] =!= None,
-    If[Quiet[Check[Export[options["plot"], DrawMap[grid]], $Failed]]
-        === $Failed,
-      cannotWrite[options["plot"]]]]];
+(* wolfram.sh puts the arguments into a file, each with a byte 0 at its end:
+   wolframscript may take options for its own, and woxi reads what
+   $ScriptCommandLine holds as source text and runs it. *)
+ScriptArguments[] := With[{folder = Environment["OCCGRID_FOLDER"]},
+  If[StringQ[folder],
+    splitArguments[
+      BinaryReadList[FileNameJoin[{folder, "arguments"}]]],
+    Rest[$ScriptCommandLine]]];
 
-(* --- Options --- *)
+splitArguments[bytes_] := With[
+  {ends = Flatten[Position[bytes, 0]]},
+  MapThread[
+    argumentText[Take[bytes, {#1 + 1, #2 - 1}]] &,
+    {Most[Prepend[ends, 0]], ends}]];
+
+(* An argument that is not UTF-8 names no file here: the bytes that make no
+   character become U+FFFD, which no path has. *)
+argumentText[bytes_] := With[
+  {text = Quiet[FromCharacterCode[bytes, "UTF-8"]]},
+  If[ToCharacterCode[text, "UTF-8"] === bytes,
+    text,
+    FromCharacterCode[Map[If[# < 128, #, 65533] &, bytes]]]];
 
 wrongUse[reason_] := Throw[reason, "usage"];
 
-readOptions[arguments_] := Module[
-  {options, rest = arguments, first, names, seeds = 0, noiseFree = False},
-  options = <|"help" -> False, "version" -> False, "seed" -> 0,
-    "out" -> None, "plot" -> None, "scenarios" -> {}|>;
-  While[rest =!= {},
-    first = First[rest];
+readArguments[arguments_] := Module[
+  {options, scenarios = {}, rest = arguments, argument, value},
+  options = <|"noiseFree" -> False, "seed" -> None, "plain" -> False,
+    "out" -> None, "plot" -> None, "text" -> None|>;
+  value[] := If[
+    rest === {} || First[rest] === "" || StringStartsQ[First[rest], "--"],
+    wrongUse[argument <> " needs a value"],
+    With[{text = First[rest]},
+      rest = Rest[rest];
+      text]];
+  While[rest =!= {} && options["text"] === None,
+    argument = First[rest];
     rest = Rest[rest];
     Which[
-      first === "--help" || first === "-h",
-        options["help"] = True; Break[],
-      first === "--version",
-        options["version"] = True; Break[],
-      first === "--noise-free",
-        noiseFree = True,
-      MemberQ[{"--seed", "--out", "--plot"}, first],
-        If[rest === {} || StringStartsQ[First[rest], "-"],
-          wrongUse[first <> " takes a value"]];
-        If[first === "--seed",
-          seeds = seeds + 1;
-          options["seed"] = readSeed[First[rest]],
-          options[StringDrop[first, 2]] = First[rest]];
-        rest = Rest[rest],
-      StringStartsQ[first, "-"],
-        wrongUse["unknown option " <> first],
-      True,
-        options["scenarios"] = Append[options["scenarios"], first]]];
-  If[options["help"] || options["version"], Return[options, Module]];
-  If[noiseFree,
-    If[seeds > 0, wrongUse["--noise-free and --seed exclude each other"]];
-    options["seed"] = None];
-  names = Map[ScenarioName, options["scenarios"]];
-  If[Length[names] > 1,
-    If[options["out"] === None, wrongUse["several scenarios need --out"]];
-    If[options["plot"] =!= None, wrongUse["--plot draws one scenario"]]];
-  If[!DuplicateFreeQ[names],
-    wrongUse["two scenarios have the same name"]];
+      argument === "--noise-free", options["noiseFree"] = True,
+      argument === "--seed", options["seed"] = readSeed[value[]],
+      argument === "--plain", options["plain"] = True,
+      argument === "--out", options["out"] = value[],
+      argument === "--plot", options["plot"] = value[],
+      argument === "--help", options["text"] = helpText,
+      argument === "--version", options["text"] = versionText[],
+      StringStartsQ[argument, "-"], wrongUse["unknown option " <> argument],
+      True, scenarios = Append[scenarios, argument]]];
+  options["scenarios"] = scenarios;
+  If[options["text"] === None, checkTogether[options]];
   options];
+
+(* what no argument alone can show *)
+checkTogether[options_] := Module[{scenarios, names},
+  scenarios = options["scenarios"];
+  names = Map[ScenarioName, scenarios];
+  If[options["noiseFree"] && options["seed"] =!= None,
+    wrongUse["--noise-free and --seed exclude each other"]];
+  If[Length[scenarios] > 1 && options["out"] === None,
+    wrongUse["several scenarios need --out"]];
+  Scan[
+    If[Count[names, #] > 1, wrongUse["two scenarios are named " <> #]] &,
+    names];
+  If[Length[scenarios] > 1 && options["plot"] =!= None,
+    wrongUse["--plot draws one scenario"]]];
 
 readSeed[text_] := If[
   StringMatchQ[text, wholeForm] && FromDigits[text] < 2^32,
   FromDigits[text],
-  wrongUse["a seed is a whole number from 0 to 4294967295, not '"
+  wrongUse["--seed takes a whole number from 0 to 4294967295, not '"
     <> text <> "'"]];
 
+versionText[] := StringJoin[
+  "occgrid ", $OccgridVersion, " (", $Version, ")\n"];
+
+(* --- Work --- *)
+
+run[options_] := (
+  Which[
+    options["text"] =!= None,
+      printOut[Function[write, write[options["text"]]]],
+    options["scenarios"] === {},
+      mapOne[LessonScenario[], options],
+    True,
+      Scan[mapOne[ReadScenario[#], options] &, options["scenarios"]]];
+  0);
+
+printOut[produce_] := If[!printText[produce],
+  cannotWrite["standard output"]];
+
+(* Map one scenario and write what was asked for. *)
+mapOne[scenario_, options_] := Module[{seed, grid},
+  seed = Which[
+    options["noiseFree"], None,
+    options["seed"] === None, 0,
+    True, options["seed"]];
+  grid = If[options["plain"], MapScenario, MapScenarioFast][scenario, seed];
+  If[options["out"] === None,
+    printOut[MapPgm[grid, #] &],
+    WriteMap[options["out"], scenario["name"], grid]];
+  If[options["plot"] =!= None, plotMap[options["plot"], grid]]];
+
+plotMap[file_, grid_] := If[
+  Quiet[Check[Export[plainPath[file], DrawMap[grid]], $Failed]] === $Failed,
+  cannotWrite[file]];
+
 End[];
-EndPackage[];

@@ -1,53 +1,81 @@
 (* Writing a map: picture (PGM), its description (YAML), log-odds (SPEC.md
-   section 7). *)
+   section 7). Rows are written as they come. *)
 
-BeginPackage["OccupancyGrid`"];
+Begin["OccupancyGrid`Private`"];
 
-Pixels::usage = "Pixels[grid] gives the grey values, height lists of width: \
-0 is occupied, 255 is free.";
-MapPgm::usage = "MapPgm[grid] is the map as an ASCII PGM (P2), the row with \
-the largest y first.";
-MapYaml::usage = "MapYaml[grid, image] is the description that map_server \
-and Nav2 read beside the picture.";
-MapLogOdds::usage = "MapLogOdds[grid] is the map as text that reads back to \
-the same doubles, the row with the smallest y first.";
-WriteMap::usage = "WriteMap[folder, name, grid] writes NAME.pgm, NAME.yaml \
-and NAME.logodds into a folder, which is made where it is missing. Each file \
-is renamed into place when all of them are whole. What cannot be written is \
-thrown as the text PATH: cannot be written with the tag \"output\".";
+(* one row of the map in a variable *)
+SetAttributes[rowOf, HoldFirst];
+rowOf[map_, gy_] := With[{width = map[[1]]["width"]},
+  Table[map[[2, cell]], {cell, (gy*width) + 1, (gy + 1)*width}]];
 
-Begin["`Private`"];
+(* the text of what calls write with its pieces *)
+collected[produce_] := StringJoin[First[Last[Reap[produce[Sow]]]]];
 
 (* [snippet: pixel] *)
-Pixels[grid_] := Map[
-  Floor[((1. - #)*255.) + 0.5] &, ProbabilityGrid[grid]];
+Pixel[logOdds_] := Floor[((1. - Sigmoid[logOdds])*255.) + 0.5];
 (* [/snippet] *)
 
 (* [snippet: map-pgm] *)
-MapPgm[grid_] := StringJoin[
-  "P2\n",
-  ToString[grid["width"]], " ", ToString[grid["height"]], "\n",
-  "255\n",
-  Map[
-    StringRiffle[Map[ToString, #], " "] <> "\n" &,
-    Reverse[Pixels[grid]]]];
+MapPgm[grid_?gridValueQ, write_] := Module[{map = grid, width, height},
+  width = map[[1]]["width"];
+  height = map[[1]]["height"];
+  write[StringJoin[
+    "P2\n", ToString[width], " ", ToString[height], "\n255\n"]];
+  Do[
+    write[StringRiffle[Map[ToString, Pixel[rowOf[map, gy]]], " "] <> "\n"],
+    {gy, height - 1, 0, -1}]];
 (* [/snippet] *)
+MapPgm[grid_?gridValueQ] := collected[MapPgm[grid, #] &];
+MapPgm[___] := wrongArguments[MapPgm];
 
-MapYaml[grid_, image_] := StringJoin[
-  "image: ", image, "\n",
-  "mode: trinary\n",
-  "resolution: ", fixed[grid["resolution"]], "\n",
-  "origin: [", fixed[grid["originX"]], ", ", fixed[grid["originY"]],
-  ", 0.0]\n",
-  "negate: 0\n",
-  "occupied_thresh: 0.65\n",
-  "free_thresh: 0.196\n"];
+MapLogOdds[grid_?gridValueQ, write_] := Module[{map = grid, width, height},
+  width = map[[1]]["width"];
+  height = map[[1]]["height"];
+  write[StringJoin[
+    "# logodds ", ToString[width], " ", ToString[height], "\n"]];
+  Do[
+    write[StringRiffle[Map[decimalText, rowOf[map, gy]], " "] <> "\n"],
+    {gy, 0, height - 1}]];
+MapLogOdds[grid_?gridValueQ] := collected[MapLogOdds[grid, #] &];
+MapLogOdds[___] := wrongArguments[MapLogOdds];
 
-MapLogOdds[grid_] := StringJoin[
-  "# logodds ", ToString[grid["width"]], " ", ToString[grid["height"]], "\n",
-  Map[
-    StringRiffle[Map[decimalText, #], " "] <> "\n" &,
-    LogOdds[grid]]];
+gridValueQ[grid_] := MatchQ[grid, {_Association, _List}];
+
+MapYaml[grid_?gridValueQ, image_String] := With[{model = First[grid]},
+  StringJoin[
+    "image: ", yamlName[image], "\n",
+    "mode: trinary\n",
+    "resolution: ", fixed[model["resolution"]], "\n",
+    "origin: [", fixed[model["originX"]], ", ", fixed[model["originY"]],
+    ", 0.0]\n",
+    "negate: 0\n",
+    "occupied_thresh: ", fixed[occupiedThreshold[model["l0"]]], "\n",
+    "free_thresh: ", fixed[freeThreshold[model["l0"]]], "\n"]];
+MapYaml[___] := wrongArguments[MapYaml];
+
+(* The thresholds of p0 = 0.5, moved with the prior, and at least half a grey
+   value away from its own: a cell that nothing touched loads as unknown. *)
+occupiedThreshold[l0_] := With[{
+    moved = Sigmoid[l0 + Logit[0.65]],
+    least = Divide[(255 - Pixel[l0]) + 0.5, 255.]},
+  clamp[If[moved - least < 0, least, moved], 0., 1.]];
+freeThreshold[l0_] := With[{
+    moved = Sigmoid[l0 + Logit[0.196]],
+    most = Divide[(255 - Pixel[l0]) - 0.5, 255.]},
+  clamp[If[moved - most > 0, most, moved], 0., 1.]];
+
+(* a file name as YAML has it *)
+yamlName[image_] := If[
+  StringMatchQ[image, RegularExpression["[A-Za-z0-9_][A-Za-z0-9_.-]*"]],
+  image,
+  StringJoin["\"", Map[yamlCharacter, Characters[image]], "\""]];
+yamlCharacter[character_] := With[
+  {code = First[ToCharacterCode[character]]},
+  Which[
+    character === "\"" || character === "\\", "\\" <> character,
+    code < 32 || code == 127,
+      "\\x" <> ToUpperCase[IntegerString[code, 16, 2]],
+    True, character]];
 
 (* {m, k}, whole numbers with |x| = m * 2^k *)
 wholeAndPower[x_] := If[x == 0, {0, 0},
@@ -93,72 +121,4 @@ fixed[x_] := Module[{m, k, units, decimals},
     ToString[Quotient[units, 10^9]], ".",
     If[decimals === "", "0", decimals]]];
 
-WriteMap[folder_, name_, grid_] := Module[{texts, paths, beside, written},
-  makeFolder[folder];
-  texts = {MapPgm[grid], MapYaml[grid, name <> ".pgm"], MapLogOdds[grid]};
-  paths = Map[
-    FileNameJoin[{folder, name <> #}] &, {".pgm", ".yaml", ".logodds"}];
-  beside = Map[
-    FileNameJoin[{folder, StringJoin[
-      ".", name, #, ".", ToString[$ProcessID], ".part"]}] &,
-    {".pgm", ".yaml", ".logodds"}];
-  written = MapThread[writeText, {beside, texts}];
-  If[Apply[And, written],
-    written = MapThread[renameOver, {beside, paths}]];
-  If[!Apply[And, written],
-    Scan[If[FileExistsQ[#], Quiet[Check[DeleteFile[#], Null]]] &, beside];
-    cannotWrite[paths[[First[First[Position[written, False]]]]]]]];
-
-cannotWrite[path_] := Throw[path <> ": cannot be written", "output"];
-
-(* with its parents, where they are missing *)
-makeFolder[folder_] := If[!DirectoryQ[folder],
-  Quiet[Check[CreateDirectory[folder], Null]];
-  If[!DirectoryQ[folder], cannotWrite[folder]]];
-
-(* whether a text could be written as it is, in UTF-8 and with LF line ends on
-   any system *)
-writeText[path_, text_] := TrueQ[Quiet[Check[
-  Module[{stream = OpenWrite[path, BinaryFormat -> True]},
-    WriteString[stream, text];
-    Close[stream];
-    FileByteCount[path] == utf8Length[text]],
-  False]]];
-
-(* a text's bytes; only what is not ASCII is taken apart, since texts are long *)
-utf8Length[text_] := With[
-  {other = StringDelete[text, RegularExpression["[\\x00-\\x7f]+"]]},
-  (StringLength[text] - StringLength[other])
-    + Length[ToCharacterCode[other, "UTF-8"]]];
-
-(* whether a text could be written to standard output. Nothing tells of a
-   failure there (woxi does not even survive it), and opening /dev/stdout
-   begins at the start of a file that others write to as well. So where there
-   is cat, cat does it, and its exit status tells. *)
-printText[text_] := If[$OperatingSystem === "Windows",
-  WriteString["stdout", text];
-  True,
-  With[{file = CreateFile[]},
-    With[{printed = StringQ[file] && writeText[file, text] && Run[
-        StringJoin["cat '", StringReplace[file, "'" -> "'\\''"],
-          "' 2> /dev/null"]] === 0},
-      Quiet[Check[DeleteFile[file], Null]];
-      printed]]];
-
-(* RenameFile replaces a file only when told to. Interpreters that do not know
-   the option either leave the expression as it is and replace files anyway, or
-   refuse: then the old file goes first. *)
-renameOver[from_, to_] := Module[{result},
-  If[DirectoryQ[to], Return[False, Module]];
-  result = Quiet[Check[
-    RenameFile[from, to, OverwriteTarget -> True], $Failed]];
-  If[Head[result] === RenameFile,
-    result = Quiet[Check[RenameFile[from, to], $Failed]]];
-  If[!StringQ[result],
-    result = Quiet[Check[
-      If[FileExistsQ[to], DeleteFile[to]];
-      RenameFile[from, to], $Failed]]];
-  StringQ[result]];
-
 End[];
-EndPackage[];

@@ -1,48 +1,41 @@
 (* The mapping loop: scan after scan into the grid (the lesson's first flow
    chart). *)
 
-BeginPackage["OccupancyGrid`"];
+Begin["OccupancyGrid`Private`"];
 
-MapScenario::usage = "MapScenario[scenario, seed] maps all scans of a \
-scenario and gives the grid, whose log-odds LogOdds tells; without noise \
-where seed is None. MapScenario[scenario, seed, afterScan] calls \
-afterScan[number, grid] after each scan.";
-
-Begin["`Private`"];
+scenarioQ[scenario_] := AssociationQ[scenario] &&
+  AssociationQ[scenario["settings"]] && ListQ[scenario["scans"]];
+seedQ[seed_] := seed === None || IntegerQ[seed] && 0 <= seed < 2^32;
 
 (* [snippet: map-scenario] *)
-MapScenario[scenario_, seed_, afterScan_: Null] := Module[
-  {settings, grid, angles, number = -1},
-  settings = scenario["settings"];
-  grid = newGrid[settings];
-  angles = BeamAngles[settings["fov"], settings["beams"]];
-  Do[
-    number = number + 1;
-    UpdateGridFromScan[grid,
-      simulatedScan[scan, scenario["walls"], angles, settings, seed, number],
-      settings["max_range"], settings["no_return"]];
-    If[afterScan =!= Null, afterScan[number, grid]],
-    {scan, scenario["scans"]}];
+MapScenario[scenario_?scenarioQ, seed_?seedQ] := Module[
+  {grid = NewGrid[scenario["settings"]]},
+  Scan[
+    UpdateGridFromScan[grid, #,
+      scenario["settings"]["maxRange"], scenario["settings"]["noReturn"]] &,
+    SimulatedScans[scenario, seed]];
   grid];
 
-(* a scan {pose, angles, ranges}; a bare pose is simulated, with noise *)
-simulatedScan[scan_, walls_, angles_, settings_, seed_, number_] :=
-  If[ListQ[First[scan]],
-    scan,
-    With[{
-        zMax = settings["max_range"]},
-      With[{ranges = SimulateLidarScan[scan, walls, angles, zMax]},
-        {scan, angles, If[seed === None,
-          ranges,
-          AddRangeNoise[
-            ranges, settings["noise_std"], seed, number, zMax]]}]]];
-(* [/snippet] *)
+SimulatedScans[scenario_?scenarioQ, seed_?seedQ] := With[{
+    settings = scenario["settings"],
+    walls = scenario["walls"],
+    angles = BeamAngles[
+      scenario["settings"]["fov"], scenario["settings"]["beams"]]},
+  MapIndexed[
+    If[MatchQ[#1, _RangeScan],
+      #1,
+      simulatedScan[#1, walls, angles, settings, seed, First[#2] - 1]] &,
+    scenario["scans"]]];
 
-newGrid[settings_] := NewGrid[
-  GridSpec[settings["width"], settings["height"], settings["resolution"],
-    settings["origin_x"], settings["origin_y"]],
-  settings["p0"], settings["p_occ"], settings["p_free"],
-  settings["l_min"], settings["l_max"]];
+(* what the sensor sees from a bare pose, scan s of the scenario *)
+simulatedScan[pose_, walls_, angles_, settings_, seed_, s_] := With[
+  {zMax = settings["maxRange"]},
+  With[{ranges = SimulateLidarScan[pose, walls, angles, zMax]},
+    RangeScan[pose, angles, If[seed === None,
+      ranges,
+      AddRangeNoise[ranges, settings["noiseStd"], seed, s, zMax]]]]];
+(* [/snippet] *)
+MapScenario[___] := wrongArguments[MapScenario];
+SimulatedScans[___] := wrongArguments[SimulatedScans];
 
 End[];
-EndPackage[];

@@ -1,21 +1,10 @@
 (* Range noise that depends on nothing but the seed, the scan and the beam
    (SPEC.md section 3.3). *)
 
-BeginPackage["OccupancyGrid`"];
-
-Philox4x32::usage = "Philox4x32[{c0, c1, c2, c3}, {k0, k1}] gives the four \
-random words of Philox4x32-10 (Salmon et al. 2011) for a counter and a key of \
-32-bit words. Each word of the counter may be a list: four lists come back.";
-NormalDeviate::usage = "NormalDeviate[seed, scan, beams] gives a standard \
-normal deviate (Box and Muller 1958) for each beam of a list. Seed: 0 to \
-2^32 - 1; scan and beams: numbers from 0.";
-AddRangeNoise::usage = "AddRangeNoise[ranges, noiseStd, seed, scan, zMax] \
-gives simulated ranges (metres) with noise, within [0, zMax].";
-
-Begin["`Private`"];
+Begin["OccupancyGrid`Private`"];
 
 (* [snippet: philox] *)
-Philox4x32[counter_List, key_List] := Module[
+Philox4x32[counter_?wordsQ, key_?wordsQ] := Module[
   {c0, c1, c2, c3, k0, k1, high0, low0, high1, low1},
   {c0, c1, c2, c3} = counter;
   {k0, k1} = key;
@@ -41,24 +30,31 @@ multiplied[mHigh_, mLow_, c_] := Module[{lower, carry, upper, high},
   {high,
     (65536*(upper - (65536*high))) + (lower - (65536*carry))}];
 (* [/snippet] *)
+Philox4x32[___] := wrongArguments[Philox4x32];
+
+(* two or four words of 32 bits, or lists of them *)
+wordsQ[words_] := ListQ[words] && MemberQ[{2, 4}, Length[words]] &&
+  VectorQ[Flatten[words], IntegerQ] &&
+  Min[words] >= 0 && Max[words] < 2^32;
 
 (* [snippet: normal-deviate] *)
-NormalDeviate[seed_, scan_, beams_List] := Module[{zero, w, u1, u2, radius},
-  zero = 0*beams;
-  w = Philox4x32[{zero + scan, beams, zero, zero}, {seed, 0}];
-  u1 = DivideEach[w[[1]] + 0.5, 4294967296.];
-  u2 = DivideEach[w[[2]] + 0.5, 4294967296.];
+NormalDeviate[seed_Integer, scan_Integer, beam_List] := Module[
+  {zero = 0*beam, w, u1, u2, radius},
+  w = Philox4x32[{zero + scan, beam, zero, zero}, {seed, 0}];
+  u1 = divideEach[w[[1]] + 0.5, 4294967296.];
+  u2 = divideEach[w[[2]] + 0.5, 4294967296.];
   radius = MapThread[Sqrt, {-2.*PortableLog[u1]}];
-  radius*PortableCos[6.283185307179586*u2]];
+  radius*PortableCos[(2.*PortablePi)*u2]];
 (* [/snippet] *)
+NormalDeviate[___] := wrongArguments[NormalDeviate];
 
 (* [snippet: range-noise] *)
-AddRangeNoise[ranges_List, noiseStd_, seed_, scan_, zMax_] := Module[
+AddRangeNoise[ranges_List?numbersQ, noiseStd_, seed_, scan_, zMax_] := Module[
   {deviates},
   (* a beam that met no wall gets noise too, as in the lesson (6.5) *)
   deviates = NormalDeviate[seed, scan, Range[Length[ranges]] - 1];
-  Map[Clamp[#, 0., zMax] &, ranges + (noiseStd*deviates)]];
+  clamp[ranges + (noiseStd*deviates), 0., zMax]];
 (* [/snippet] *)
+AddRangeNoise[___] := wrongArguments[AddRangeNoise];
 
 End[];
-EndPackage[];

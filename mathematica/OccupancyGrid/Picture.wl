@@ -6,38 +6,33 @@
    turns that round, and DataRange gives the axes metres: it is the range of
    the cells' centres. Raster has its first row at the bottom anyway. *)
 
-BeginPackage["OccupancyGrid`"];
-
-MapPlot::usage = "MapPlot[grid] is the map at hand as the lesson's ArrayPlot, \
-for a notebook. (woxi does not know DataReversed and draws no ticks.)";
-DrawMap::usage = "DrawMap[grid] is the same picture made of a Raster, which \
-comes out alike everywhere.";
-
-Begin["`Private`"];
+Begin["OccupancyGrid`Private`"];
 
 mapTitle = "Occupancy Grid Map (P(occupied))";
 
-MapPlot[grid_] := ArrayPlot[ProbabilityGrid[grid],
+MapPlot[grid_?gridValueQ] := ArrayPlot[ProbabilityGrid[grid],
   DataReversed -> True,
   DataRange -> Transpose[{
     GridToWorldCenter[grid, 0, 0],
-    GridToWorldCenter[grid, grid["width"] - 1, grid["height"] - 1]}],
+    GridToWorldCenter[
+      grid, First[grid]["width"] - 1, First[grid]["height"] - 1]}],
   ColorFunction -> (GrayLevel[1. - #] &),
   ColorFunctionScaling -> False,
   Frame -> True,
   FrameTicks -> Automatic,
   FrameLabel -> {{"y [m]", None}, {"x [m]", None}},
   PlotLabel -> mapTitle];
+MapPlot[___] := wrongArguments[MapPlot];
 
-DrawMap[grid_] := With[{
-    corner = {grid["originX"], grid["originY"]},
-    size = {grid["width"], grid["height"]}*grid["resolution"]},
+DrawMap[grid_?gridValueQ] := With[{
+    corner = Map[First[grid], {"originX", "originY"}],
+    size = Map[First[grid], {"width", "height"}]*First[grid]["resolution"]},
   Graphics[
     {Raster[1. - ProbabilityGrid[grid], {corner, corner + size}, {0, 1}]},
     Frame -> True,
     FrameLabel -> {"x [m]", "y [m]"},
     PlotLabel -> mapTitle,
     ImageSize -> 800]];
+DrawMap[___] := wrongArguments[DrawMap];
 
 End[];
-EndPackage[];

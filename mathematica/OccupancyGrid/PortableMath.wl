@@ -5,62 +5,52 @@
    Java's StrictMath is specified to be; SPEC.md section 9 writes them down.
 
    All four functions take a machine number or a list of them. Two spellings
-   matter on the Wolfram kernel, and tests/rounding.wls watches over them:
+   matter on the Wolfram kernel, and tests/rounding.wl checks them:
    Divide[x, y], because x/y is x*y^-1 and rounds twice; and sums and products
    of two terms each, because Plus and Times may put three in another order.
    Comparisons of machine numbers forgive their last bits there, so a
    difference is compared with 0, or UnitStep says which side it lies on.
 
+   Results below 2^-1022 are what SPEC.md section 1 asks for, so the kernel's
+   message about them, General::munfl, is quiet here.
+
    Wolfram has no infinite or undefined machine number: Infinity, -Infinity
    and Indeterminate stand for them, and NegativeZero for -0. Lists hold
    finite numbers only. *)
 
-BeginPackage["OccupancyGrid`"];
+Begin["OccupancyGrid`Private`"];
 
-PortableSin::usage = "PortableSin[x] is the sine of x (radians), a number \
-or a list; Indeterminate where x is infinite or Indeterminate.";
-PortableCos::usage = "PortableCos[x] is the cosine of x (radians), a number \
-or a list; Indeterminate where x is infinite or Indeterminate.";
-PortableExp::usage = "PortableExp[x] is e to the power x, a number or a \
-list; Infinity above 709.78, 0. below -745.13.";
-PortableLog::usage = "PortableLog[x] is the natural logarithm of x, a number \
-or a list of positive ones; -Infinity at 0, Indeterminate below it.";
-DoubleFromBits::usage = "DoubleFromBits[\"3ff0000000000000\"] is the machine \
-number with these 64 bits, 16 hexadecimal digits; Infinity, -Infinity, \
-Indeterminate and NegativeZero for what is not a machine number here.";
-DoubleToBits::usage = "DoubleToBits[x] gives the 64 bits of x as 16 \
-hexadecimal digits; NaN is 7ff8000000000000.";
-NegativeZero::usage = "NegativeZero stands for the double -0, of which \
-Wolfram keeps no account.";
-DivideEach::usage = "DivideEach[x, y] divides numbers and lists, element by \
-element, each quotient rounded once.";
+PortablePi = 3.141592653589793;
 
-Begin["`Private`"];
-
-(* Lists are divided element by element, and by MapThread: the Wolfram kernel
+(* {x1, x2, ..}/{y1, y2, ..}, or a list and a number.
+   Lists are divided element by element, and by MapThread: the Wolfram kernel
    may multiply a whole list by reciprocals, and so may the code that it makes
    of Map or Table over a long one. *)
-DivideEach[x_List, y_List] := MapThread[Divide, {x, y}];
-DivideEach[x_List, y_] := DivideEach[x, ConstantArray[y, Length[x]]];
-DivideEach[x_, y_List] := DivideEach[ConstantArray[x, Length[y]], y];
-DivideEach[x_, y_] := Divide[x, y];
+divideEach[x_List, y_List] := MapThread[Divide, {x, y}];
+divideEach[x_List, y_] := divideEach[x, ConstantArray[y, Length[x]]];
+divideEach[x_, y_List] := divideEach[ConstantArray[x, Length[y]], y];
+divideEach[x_, y_] := Divide[x, y];
 
 (* 2^k for k = -1074 .. 1023, made by exact steps *)
-powersOfTwo = Join[
-  Reverse[Rest[NestList[0.5*# &, 1., 1074]]], NestList[2.*# &, 1., 1023]];
+SetAttributes[quietly, HoldFirst];
+quietly[expression_] := Quiet[expression, General::munfl];
+powersOfTwo = quietly[Join[
+  Reverse[Rest[NestList[0.5*# &, 1., 1074]]], NestList[2.*# &, 1., 1023]]];
 powerOfTwo[k_Integer] := powersOfTwo[[k + 1075]];
 powerOfTwo[k_List] := Map[powersOfTwo[[# + 1075]] &, k];
 
 (* x * 2^k in two steps, of which only the second may round (where the result
    is subnormal): 2^k itself need not be a double *)
 scaled[x_, k_] := With[{half = Quotient[k, 2]},
-  (x*powerOfTwo[half])*powerOfTwo[k - half]];
+  quietly[(x*powerOfTwo[half])*powerOfTwo[k - half]]];
 
-DoubleFromBits[hex_String] := With[{bits = FromDigits[hex, 16]},
+DoubleFromBits[hex_String] /; StringLength[hex] == 16 := With[{bits = FromDigits[hex, 16]},
   Which[
     bits < 2^63, positiveDouble[Quotient[bits, 2^52], Mod[bits, 2^52]],
     bits == 2^63, NegativeZero,
     True, -positiveDouble[Quotient[bits, 2^52] - 2048, Mod[bits, 2^52]]]];
+DoubleFromBits[___] := wrongArguments[DoubleFromBits];
+
 positiveDouble[field_, fraction_] := Which[
   field == 2047, If[fraction == 0, Infinity, Indeterminate],
   field == 0, scaled[N[fraction], -1074],
@@ -69,7 +59,7 @@ positiveDouble[field_, fraction_] := Which[
 doubles[text_String] := Map[DoubleFromBits, StringSplit[text]];
 double = DoubleFromBits;
 
-DoubleToBits[x_] := Module[{bits},
+DoubleToBits[x_?doubleQ] := Module[{bits},
   bits = Which[
     x === Indeterminate, 2047*2^52 + 2^51,
     x === NegativeZero, 2^63,
@@ -80,6 +70,9 @@ DoubleToBits[x_] := Module[{bits},
   If[x =!= Indeterminate && x =!= NegativeZero && x < 0,
     bits = bits + 2^63];
   IntegerString[bits, 16, 16]];
+DoubleToBits[___] := wrongArguments[DoubleToBits];
+doubleQ[x_] := NumberQ[x] || MemberQ[
+  {Indeterminate, NegativeZero, Infinity, -Infinity}, x];
 
 (* {e, m} with |x| = m * 2^e and 1 <= m < 2, two lists, for x other than 0.
    Only a hint is taken from MantissaExponent, which some interpreters round
@@ -105,7 +98,7 @@ choose[mask_, a_, b_] := (mask*a) + ((1 - mask)*b);
 
 (* --- Reduction to [-pi/4, pi/4] --- *)
 
-(* bounds: |x| up to about pi/4, up to 3pi/4, up to 2^19*pi/2 *)
+(* bounds: |x| up to about pi/4, up to 3pi/4, up to 2^20*pi/2 *)
 {smallBound, middleBound, hugeBound} = doubles["
     3FE921FC00000000 4002D97C00000000 413921FC00000000"];
 invPio2 = double["3FE45F306DC9C883"];
@@ -273,16 +266,16 @@ kernels[x_List] := Module[{n, y0, y1},
       lastButOneArgument = lastArgument;
       lastButOneKernels = lastKernels;
       lastArgument = x;
-      lastKernels = {
+      lastKernels = quietly[{
         n,
         kernelSin[y0, y1, atLeast[Abs[x], smallBound]],
-        kernelCos[y0, y1]}]];
+        kernelCos[y0, y1]}]]];
 
-PortableSin[x_List] := Module[{n, s, c},
+PortableSin[x_List?numbersQ] := Module[{n, s, c},
   {n, s, c} = kernels[x];
   (1 - 2*Quotient[Mod[n, 4], 2])*choose[Mod[n, 2], c, s]];
 
-PortableCos[x_List] := Module[{n, s, c},
+PortableCos[x_List?numbersQ] := Module[{n, s, c},
   {n, s, c} = kernels[x];
   (1 - 2*Quotient[Mod[n + 1, 4], 2])*choose[Mod[n, 2], s, c]];
 (* [/snippet] *)
@@ -316,6 +309,8 @@ PortableCos[x_?NumericQ] := First[PortableCos[{N[x]}]];
 PortableCos[Infinity] = Indeterminate;
 PortableCos[-Infinity] = Indeterminate;
 PortableCos[Indeterminate] = Indeterminate;
+PortableSin[___] := wrongArguments[PortableSin];
+PortableCos[___] := wrongArguments[PortableCos];
 
 
 (* --- exp and log --- *)
@@ -344,17 +339,17 @@ With[{
     t = r*r;
     c = r - (t*(p1 + (t*(p2 + (t*(p3 + (t*(p4 + (t*p5)))))))));
     (* with k = 0 this is 1 - ((r c)/(c - 2) - r), bit by bit *)
-    y = 1. - ((lo - DivideEach[r*c, 2. - c]) - hi);
+    y = 1. - ((lo - divideEach[r*c, 2. - c]) - hi);
     choose[atLeast[size, tiny], scaled[y, k], 1. + x]]];
 
 PortableExp[x_?NumericQ] := Which[
   x - expOverflow > 0, Infinity,
   x - expUnderflow < 0, 0.,
-  True, First[expInside[{N[x]}]]];
-PortableExp[x_List] := Module[{far, result},
+  True, First[quietly[expInside[{N[x]}]]]];
+PortableExp[x_List?numbersQ] := Module[{far, result},
   (* beyond 700 the result may be infinite or subnormal: one by one *)
   far = Pick[Range[Length[x]], UnitStep[Abs[x] - 700.], 1];
-  result = expInside[(1 - UnitStep[Abs[x] - 700.])*x];
+  result = quietly[expInside[(1 - UnitStep[Abs[x] - 700.])*x]];
   Do[result[[i]] = PortableExp[x[[i]]], {i, far}];
   result];
 (* [/snippet] *)
@@ -364,6 +359,10 @@ PortableExp[NegativeZero] = 1.;
 PortableExp[Infinity] = Infinity;
 PortableExp[-Infinity] = 0.;
 PortableExp[Indeterminate] = Indeterminate;
+PortableExp[___] := wrongArguments[PortableExp];
+
+(* the logarithm of a list is that of numbers that have one *)
+positiveQ[x_] := numbersQ[x] && Min[x] > 0;
 
 (* [snippet: portable-log] *)
 With[{
@@ -384,7 +383,7 @@ With[{
     hi = dk*ln2High;
     lo = dk*ln2Low;
 
-    s = DivideEach[f, 2. + f];
+    s = divideEach[f, 2. + f];
     z = s*s;
     w = z*z;
     t1 = w*(g2 + (w*(g4 + (w*g6))));
@@ -405,14 +404,14 @@ With[{
 PortableLog[x_?NumericQ] := Which[
   x == 0, -Infinity,
   x < 0, Indeterminate,
-  True, First[logInside[{N[x]}]]];
-PortableLog[x_List] := logInside[x];
+  True, First[quietly[logInside[{N[x]}]]]];
+PortableLog[x_List?positiveQ] := quietly[logInside[x]];
 (* [/snippet] *)
 
 PortableLog[NegativeZero] = -Infinity;
 PortableLog[Infinity] = Infinity;
 PortableLog[-Infinity] = Indeterminate;
 PortableLog[Indeterminate] = Indeterminate;
+PortableLog[___] := wrongArguments[PortableLog];
 
 End[];
-EndPackage[];

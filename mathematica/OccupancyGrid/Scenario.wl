@@ -5,20 +5,7 @@
    every interpreter hands over a file that is not text, and those that count
    the lines of a file count them differently. *)
 
-BeginPackage["OccupancyGrid`"];
-
-ReadScenario::usage = "ReadScenario[file] gives the scenario in a file: an \
-association of its name, settings, walls and scans. A scan is a pose \
-{x, y, theta} where it is to be simulated, and {pose, angles, ranges} where \
-it was recorded. What breaks a rule of SPEC.md section 8 is thrown as the \
-text FILE:LINE: REASON with the tag \"scenario\".";
-ScenarioName::usage = "ScenarioName[file] is a scenario's name: its file name \
-without the part from its last dot on.";
-ReadNumber::usage = "ReadNumber[token] is the machine number that a token \
-stands for, rounded correctly; Infinity, -Infinity, Indeterminate, or $Failed \
-where it is no number (SPEC.md section 5.1).";
-
-Begin["`Private`"];
+Begin["OccupancyGrid`Private`"];
 
 (* --- Numbers --- *)
 
@@ -38,6 +25,7 @@ ReadNumber[token_String] := Which[
       StringStartsQ[token, "-"], -Infinity,
       True, Infinity],
   True, $Failed];
+ReadNumber[___] := wrongArguments[ReadNumber];
 
 (* digits * 10^power, without the sign *)
 readDecimal[token_] := Module[{parts, fields, digits, power},
@@ -88,31 +76,42 @@ roundHalfEven[p_, q_] := With[{whole = Quotient[p, q], rest = Mod[p, q]},
     EvenQ[whole], whole,
     True, whole + 1]];
 
-(* --- The table of parameters: kind, limits as they are printed --- *)
+(* --- The table of parameters --- *)
 
-coordinateLimits = {"-1000000", "1000000"};
+(* a parameter's name in the file: its key in the settings, its kind, its
+   limits *)
+coordinateLimits = {"-10000000", "10000000"};
+angleLimits = {"-1000000", "1000000"};
 parameters = <|
-  "width" -> {"whole", "1", "25000000"},
-  "height" -> {"whole", "1", "25000000"},
-  "resolution" -> {"real", "0.001", "1000"},
-  "origin_x" -> {"real", "-1000000", "1000000"},
-  "origin_y" -> {"real", "-1000000", "1000000"},
-  "max_range" -> {"real", "0.001", "10000"},
-  "p0" -> {"probability"},
-  "p_occ" -> {"probability"},
-  "p_free" -> {"probability"},
-  "l_min" -> {"real", "-1000", "1000"},
-  "l_max" -> {"real", "-1000", "1000"},
-  "no_return" -> {"no_return"},
-  "fov" -> {"real", "0", "6.283185307179586"},
-  "beams" -> {"whole", "1", "100000"},
-  "noise_std" -> {"real", "0", "1000"}|>;
+  "width" -> {"width", "whole", "1", "25000000"},
+  "height" -> {"height", "whole", "1", "25000000"},
+  "resolution" -> {"resolution", "real", "0.001", "1000"},
+  "origin_x" -> {"originX", "real", "-10000000", "10000000"},
+  "origin_y" -> {"originY", "real", "-10000000", "10000000"},
+  "max_range" -> {"maxRange", "real", "0.001", "10000"},
+  "min_range" -> {"minRange", "real", "0", "10000"},
+  "p0" -> {"p0", "probability"},
+  "p_occ" -> {"pOcc", "probability"},
+  "p_free" -> {"pFree", "probability"},
+  "l_min" -> {"lMin", "real", "-1000", "1000"},
+  "l_max" -> {"lMax", "real", "-1000", "1000"},
+  "no_return" -> {"noReturn", "no_return"},
+  "fov" -> {"fov", "real", "0", "6.283185307179586"},
+  "beams" -> {"beams", "whole", "1", "100000"},
+  "noise_std" -> {"noiseStd", "real", "0", "1000"}|>;
 required = {
   "width", "height", "resolution", "origin_x", "origin_y", "max_range"};
 defaults = <|
-  "p0" -> 0.5, "p_occ" -> 0.75, "p_free" -> 0.3, "l_min" -> -8., "l_max" -> 8.,
-  "no_return" -> "free", "fov" -> 3.141592653589793, "beams" -> 181,
-  "noise_std" -> 0.02|>;
+  "minRange" -> 0., "p0" -> 0.5, "pOcc" -> 0.75, "pFree" -> 0.3,
+  "lMin" -> -8., "lMax" -> 8., "noReturn" -> "free", "fov" -> PortablePi,
+  "beams" -> 181, "noiseStd" -> 0.02|>;
+
+NewGrid[settings_Association] := OccupancyGrid[
+  GridSpec[settings["width"], settings["height"], settings["resolution"],
+    settings["originX"], settings["originY"]],
+  settings["p0"], settings["pOcc"], settings["pFree"],
+  settings["lMin"], settings["lMax"]];
+NewGrid[___] := wrongArguments[NewGrid];
 
 (* --- Going through the file --- *)
 
@@ -121,7 +120,11 @@ defaults = <|
    are None up to the first scan. *)
 fail[reason_] := fail[reason, theLine];
 fail[reason_, line_] := Throw[
-  theFile <> ":" <> ToString[line] <> ": " <> reason, "scenario"];
+  oneLine[theFile] <> ":" <> ToString[line] <> ": " <> reason, "scenario"];
+
+(* a name as a message shows it: control characters would break its line *)
+oneLine[text_] := StringReplace[
+  text, RegularExpression["[\\x00-\\x1f\\x7f]"] -> "?"];
 
 ReadScenario[file_String] := Module[{lines, scans},
   theFile = file;
@@ -135,26 +138,34 @@ ReadScenario[file_String] := Module[{lines, scans},
   If[settings === None, fail["no scan"]];
   <|"name" -> ScenarioName[file], "settings" -> settings,
     "walls" -> walls, "scans" -> scans|>];
+ReadScenario[___] := wrongArguments[ReadScenario];
 
-ScenarioName[file_] := Module[{name, dots},
+ScenarioName[file_String] := Module[{name, dots},
   name = Last[StringSplit[file, "/"], ""];
   dots = StringPosition[name, "."];
   If[dots === {} || First[Last[dots]] == 1,
     name,
     StringTake[name, First[Last[dots]] - 1]]];
+ScenarioName[___] := wrongArguments[ScenarioName];
+
+(* The file of a name, where the kernel would read more into it: a command
+   after !, somebody's folder after ~; and a program an option after -. *)
+plainPath[path_] := If[
+  StringStartsQ[path, "!" | "~" | "-"], "./" <> path, path];
 
 (* The bars keep StringSplit from dropping empty lines at either end. *)
-readLines[file_] := Module[{bytes, lines},
-  bytes = If[DirectoryQ[file] || !FileExistsQ[file],
+readLines[file_] := Module[{path = plainPath[file], bytes, lines},
+  bytes = If[
+    StringEndsQ[file, "/"] || DirectoryQ[path] || !FileExistsQ[path],
     $Failed,
-    Quiet[Check[BinaryReadList[file], $Failed]]];
-  If[!ListQ[bytes], fail["cannot be read"]];
+    Quiet[Check[BinaryReadList[path], $Failed]]];
+  If[!VectorQ[bytes, IntegerQ], fail["cannot be read"]];
   lines = StringSplit["|" <> FromCharacterCode[bytes] <> "|", "\n"];
   lines[[1]] = StringDrop[First[lines], 1];
   lines[[-1]] = StringDrop[Last[lines], -1];
   If[Last[lines] === "", Most[lines], lines]];
 
-skippedForm = RegularExpression["(?s)[ \t]*(#.*)?\r?"];
+skippedForm = RegularExpression["(?s)[ \t]*(#.*)?"];
 asciiForm = RegularExpression["[ -~\t]*"];
 keywordForm = RegularExpression["[A-Za-z_][A-Za-z0-9_]*"];
 
@@ -205,10 +216,10 @@ readParameter[{field_, token_}] := Module[{name, row},
   name = StringDrop[field, 8];
   row = Lookup[parameters, name, None];
   If[row === None, fail["unknown parameter " <> field]];
-  If[KeyExistsQ[values, name], fail[field <> " is given twice"]];
-  values[name] = Switch[First[row],
-    "whole", whole[field, token, row[[2]], row[[3]]],
-    "real", real[field, token, row[[2]], row[[3]]],
+  If[KeyExistsQ[values, First[row]], fail[field <> " is given twice"]];
+  values[First[row]] = Switch[row[[2]],
+    "whole", whole[field, token, row[[3]], row[[4]]],
+    "real", real[field, token, row[[3]], row[[4]]],
     "probability", probability[field, token],
     "no_return", If[token === "free" || token === "ignore",
       token,
@@ -223,22 +234,26 @@ probability[field_, token_] := With[{p = number[field, token]},
 (* the parameters as a whole, checked together when the first scan comes *)
 checkSettings[] := Module[{all, l0},
   Scan[
-    If[!KeyExistsQ[values, #], fail["occgrid_" <> # <> " is missing"]] &,
+    If[!KeyExistsQ[values, First[parameters[#]]],
+      fail["occgrid_" <> # <> " is missing"]] &,
     required];
   all = Join[defaults, values];
   If[all["width"]*all["height"] > 25000000,
     fail["the grid has more than 25000000 cells",
       latest[{"width", "height"}]]];
-  If[Divide[all["max_range"], all["resolution"]] - 1000000 > 0,
+  If[Divide[all["maxRange"], all["resolution"]] - 1000000 > 0,
     fail["occgrid_max_range is more than 1000000 cells",
       latest[{"max_range", "resolution"}]]];
-  If[all["l_min"] - all["l_max"] >= 0,
+  If[all["lMin"] - all["lMax"] >= 0,
     fail["occgrid_l_min is not below occgrid_l_max",
       latest[{"l_min", "l_max"}]]];
   l0 = {Logit[all["p0"]]};
-  If[First[l0] - all["l_min"] < 0 || First[l0] - all["l_max"] > 0,
+  If[First[l0] - all["lMin"] < 0 || First[l0] - all["lMax"] > 0,
     fail["logit(occgrid_p0) is not from occgrid_l_min to occgrid_l_max",
       latest[{"p0", "l_min", "l_max"}]]];
+  If[all["minRange"] - all["maxRange"] >= 0,
+    fail["occgrid_min_range is not below occgrid_max_range",
+      latest[{"min_range", "max_range"}]]];
   all];
 
 latest[names_] := Max[Map[Lookup[lineOf, #, 0] &, names]];
@@ -246,7 +261,8 @@ latest[names_] := Max[Map[Lookup[lineOf, #, 0] &, names]];
 (* --- Scans --- *)
 
 (* x, y and theta *)
-readPose[tokens_] := MapThread[coordinate, {{"x", "y", "theta"}, tokens}];
+readPose[{x_, y_, theta_}] := Pose[
+  coordinate["x", x], coordinate["y", y], angle["theta", theta]];
 
 (* FLASER n r1 .. rn x y theta and six fields that are not looked at *)
 readFlaser[fields_] := Module[{n, ranges},
@@ -256,7 +272,8 @@ readFlaser[fields_] := Module[{n, ranges},
     fail[StringJoin["FLASER with ", ToString[n], " beams takes ",
       ToString[n + 10], " values, found ", ToString[Length[fields]]]]];
   ranges = readRanges[fields[[2 ;; n + 1]]];
-  {readPose[fields[[n + 2 ;; n + 4]]], FlaserAngles[n], ranges}];
+  RangeScan[readPose[fields[[n + 2 ;; n + 4]]], FlaserAngles[n],
+    Map[fromMinRange, ranges]]];
 
 (* ROBOTLASER1 type start fov step max accuracy mode n r1 .. rn m e1 .. em
    x y theta and eleven fields *)
@@ -273,13 +290,18 @@ readRobotlaser1[fields_] := Module[{found, n, m, start, step, ranges, at},
     fail[StringJoin["ROBOTLASER1 with ", ToString[n], " beams and ",
       ToString[m], " remissions takes ", ToString[(n + m) + 23],
       " values, found ", ToString[found]]]];
-  start = {coordinate["start", fields[[2]]]};
-  step = {coordinate["step", fields[[4]]]};
+  start = {angle["start", fields[[2]]]};
+  step = {angle["step", fields[[4]]]};
   ranges = readRanges[fields[[9 ;; n + 8]]];
   at = (n + m) + 10;
-  {readPose[fields[[at ;; at + 2]]],
+  RangeScan[readPose[fields[[at ;; at + 2]]],
     First[start] + (N[Range[n] - 1]*First[step]),
-    ranges}];
+    Map[fromMinRange, ranges]]];
+
+(* a range below the least one is no reading *)
+fromMinRange[r_] := If[NumberQ[r] && r - settings["minRange"] < 0,
+  Indeterminate,
+  r];
 
 (* Ranges are mostly of a plain form: digits, a point, digits. *)
 readRanges[tokens_] := MapIndexed[
@@ -321,9 +343,10 @@ whole[field_, token_, low_, high_] := (
 outside[field_, token_, low_, high_] := fail[StringJoin[
   field, " '", token, "' is not from ", low, " to ", high]];
 
-(* a coordinate in metres, or an angle in radians *)
+(* metres, and radians *)
 coordinate[field_, token_] := real[field, token,
   First[coordinateLimits], Last[coordinateLimits]];
+angle[field_, token_] := real[field, token,
+  First[angleLimits], Last[angleLimits]];
 
 End[];
-EndPackage[];

@@ -1,8 +1,8 @@
 VerificationTest[
-  Map[LessonSettings[], {"width", "height", "resolution", "origin_x",
-    "origin_y", "max_range", "p0", "p_occ", "p_free", "l_min", "l_max",
-    "no_return", "fov", "beams", "noise_std"}],
-  {220, 180, 0.1, -11., -9., 10., 0.5, 0.75, 0.3, -8., 8., "free",
+  Map[LessonSettings[], {"width", "height", "resolution", "originX",
+    "originY", "maxRange", "minRange", "p0", "pOcc", "pFree", "lMin", "lMax",
+    "noReturn", "fov", "beams", "noiseStd"}],
+  {220, 180, 0.1, -11., -9., 10., 0., 0.5, 0.75, 0.3, -8., 8., "free",
     3.141592653589793, 181, 0.02},
   TestID -> "settings"]
 VerificationTest[
@@ -12,8 +12,9 @@ VerificationTest[
     Segment[0., -6., 0., 6.], Segment[-8., 2., -2., 2.]},
   TestID -> "walls"]
 VerificationTest[
-  {Length[LessonPoses[]], First[LessonPoses[]], bits[LessonPoses[][[37]]]},
-  {120, {0., 0., 1.5707963267948966},
+  {Length[LessonPoses[]], First[LessonPoses[]],
+    bits[Apply[List, LessonPoses[][[37]]]]},
+  {120, Pose[0., 0., 1.5707963267948966],
     StringSplit["c01f6a99b4b1f77d 400e6f0e13445500 400ba5614317cb34"]},
   TestID -> "poses"]
 
@@ -24,7 +25,8 @@ VerificationTest[
         FileNameJoin[{here, "..", "..", "scenarios", "lesson.log"}]],
       built = LessonScenario[]},
     {file["name"] === built["name"], file["walls"] === built["walls"],
-      bits[file["scans"]] === bits[built["scans"]],
+      Map[bits[Apply[List, #]] &, file["scans"]]
+        === Map[bits[Apply[List, #]] &, built["scans"]],
       Select[Keys[built["settings"]],
         file["settings"][#] =!= built["settings"][#] &]}],
   {True, True, True, {}},

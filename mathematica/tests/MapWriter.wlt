@@ -1,14 +1,14 @@
 tiny[] := Module[{grid},
-  grid = NewGrid[GridSpec[3, 2, 0.1, -11., 0.000000123456],
+  grid = OccupancyGrid[GridSpec[3, 2, 0.1, -11., 0.000000123456],
     0.5, 0.75, 0.3, -8., 8.];
-  UpdateCell[grid, 0, 0, grid["lFree"]];
-  Do[UpdateCell[grid, 2, 1, grid["lOcc"]], {9}];
+  UpdateCell[grid, 0, 0, First[grid]["lFree"]];
+  Do[UpdateCell[grid, 2, 1, First[grid]["lOcc"]], {9}];
   UpdateCell[grid, 1, 1, 1.*^-20];
   grid];
 
 VerificationTest[
-  With[{grid = tiny[]}, Pixels[grid]],
-  {{179, 128, 128}, {128, 128, 0}},
+  {Map[Pixel, LogOdds[tiny[]]], Pixel[0.], Pixel[-8.], Pixel[8.]},
+  {{{179, 128, 128}, {128, 128, 0}}, 128, 255, 0},
   TestID -> "pixels"]
 VerificationTest[
   With[{grid = tiny[]}, MapPgm[grid]],
@@ -25,15 +25,48 @@ occupied_thresh: 0.65
 free_thresh: 0.196
 ",
   TestID -> "the description"]
-yamlOf[resolution_, x_, y_] := Take[StringSplit[MapYaml[
-  GridSpec[1, 1, resolution, x, y], "a.pgm"], "\n"], {3, 4}];
+yamlLines[p0_, resolution_, x_, y_] := StringSplit[MapYaml[
+  OccupancyGrid[GridSpec[1, 1, resolution, x, y], p0, 0.75, 0.3, -8., 8.],
+  "a.pgm"], "\n"];
 VerificationTest[
-  {yamlOf[1000., -1.*^6, 1.*^-10], yamlOf[0.0625, -0.0000000005, 0.1234567895],
-    yamlOf[0.0009765625, 0.0029296875, -12.50000000049]},
-  {{"resolution: 1000.0", "origin: [-1000000.0, 0.0, 0.0]"},
+  Map[Take[Apply[yamlLines[0.5, ##] &, #], {3, 4}] &, {
+    {1000., -1.*^7, 1.*^-10}, {0.0625, -0.0000000005, 0.1234567895},
+    {0.0009765625, 0.0029296875, -12.50000000049}}],
+  {{"resolution: 1000.0", "origin: [-10000000.0, 0.0, 0.0]"},
     {"resolution: 0.0625", "origin: [-0.000000001, 0.123456789, 0.0]"},
     {"resolution: 0.000976562", "origin: [0.002929688, -12.5, 0.0]"}},
   TestID -> "nine decimals, ties to even, trailing zeros dropped"]
+
+(* the cell that nothing touched lies between the thresholds, for every p0 *)
+thresholds[p0_] := Map[
+  ReadNumber[Last[StringSplit[#]]] &,
+  Take[yamlLines[p0, 1., 0., 0.], -2]];
+untouched[p0_] := Divide[255. - Pixel[Logit[p0]], 255.];
+VerificationTest[
+  Select[{0.001, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 0.999},
+    !(First[thresholds[#]] - untouched[#] >= 0
+      && untouched[#] - Last[thresholds[#]] >= 0
+      && First[thresholds[#]] <= 1 && Last[thresholds[#]] >= 0) &],
+  {},
+  TestID -> "what nothing touched is unknown, for every prior"]
+VerificationTest[
+  Take[yamlLines[0.7, 1., 0., 0.], -2],
+  {"occupied_thresh: 0.8125", "free_thresh: 0.362579281"},
+  TestID -> "thresholds move with the prior"]
+
+VerificationTest[
+  Map[First[StringSplit[MapYaml[tiny[], #], "\n"]] &, {
+    "a.pgm", "A_b-1.c.pgm", "1.pgm", "-a.pgm", ".a.pgm", "run #2.pgm",
+    "lab: monday.pgm", "[x].pgm", "'q'.pgm", "a\"b\\c.pgm",
+    FromCharacterCode[{97, 9, 27, 127}],
+    FromCharacterCode[{246, 46, 112}]}],
+  {"image: a.pgm", "image: A_b-1.c.pgm", "image: 1.pgm",
+    "image: \"-a.pgm\"", "image: \".a.pgm\"", "image: \"run #2.pgm\"",
+    "image: \"lab: monday.pgm\"", "image: \"[x].pgm\"",
+    "image: \"'q'.pgm\"", "image: \"a\\\"b\\\\c.pgm\"",
+    "image: \"a\\x09\\x1B\\x7F\"",
+    StringJoin["image: \"", FromCharacterCode[246], ".p\""]},
+  TestID -> "names that YAML would read otherwise stand in quotes"]
 
 VerificationTest[
   With[{grid = tiny[]}, MapLogOdds[grid]],
@@ -49,7 +82,7 @@ VerificationTest[
       NestList[0.5*# &, 1., 60],
       Table[(randomBelow[2^22]*N[2^-22] - 0.5)*10.^(randomBelow[12] - 8),
         {100}]];
-    grid = NewGrid[GridSpec[Length[numbers], 1, 1., 0., 0.],
+    grid = OccupancyGrid[GridSpec[Length[numbers], 1, 1., 0., 0.],
       0.5, 0.75, 0.3, -2000., 200000.];
     Do[UpdateCell[grid, i - 1, 0, numbers[[i]]], {i, Length[numbers]}];
     text = Rest[StringSplit[MapLogOdds[grid]]];
@@ -60,44 +93,3 @@ VerificationTest[
         Drop[text, 3]]] <= 17}],
   {True, True},
   TestID -> "log-odds read back"]
-
-folder = temporaryFile["-maps"];
-VerificationTest[
-  Module[{grid = Null},
-    grid = tiny[];
-    WriteMap[FileNameJoin[{folder, "a", "b"}], "m", grid];
-    WriteMap[FileNameJoin[{folder, "a", "b"}], "m", grid];
-    {Sort[Map[FileNameTake,
-        Join[FileNames["*", {FileNameJoin[{folder, "a", "b"}]}],
-          FileNames[".*", {FileNameJoin[{folder, "a", "b"}]}]]]],
-      ReadString[FileNameJoin[{folder, "a", "b", "m.pgm"}]] === MapPgm[grid],
-      ReadString[FileNameJoin[{folder, "a", "b", "m.yaml"}]]
-        === MapYaml[grid, "m.pgm"],
-      ReadString[FileNameJoin[{folder, "a", "b", "m.logodds"}]]
-        === MapLogOdds[grid]}],
-  {{"m.logodds", "m.pgm", "m.yaml"}, True, True, True},
-  TestID -> "three files in a new folder, twice"]
-VerificationTest[
-  With[{grid = tiny[], name = FromCharacterCode[{246, 32, 22320}]},
-    WriteMap[folder, name, grid];
-    {Sort[Map[FileNameTake, FileNames[name <> "*", {folder}]]]
-      === Map[name <> # &, {".logodds", ".pgm", ".yaml"}],
-      ToCharacterCode[First[StringSplit[
-        ReadString[FileNameJoin[{folder, name <> ".yaml"}]], "\n"]]]
-      === ToCharacterCode["image: " <> name <> ".pgm"]}],
-  {True, True},
-  TestID -> "a name outside ASCII"]
-VerificationTest[
-  With[{grid = tiny[]},
-    Catch[WriteMap[FileNameJoin[{folder, "a", "b", "m.pgm", "c"}], "m", grid],
-      "output"]],
-  FileNameJoin[{folder, "a", "b", "m.pgm", "c"}] <> ": cannot be written",
-  TestID -> "a folder that cannot be made"]
-VerificationTest[
-  With[{grid = tiny[]},
-    CreateDirectory[FileNameJoin[{folder, "n.logodds"}]];
-    {Catch[WriteMap[folder, "n", grid], "output"],
-      FileNames["*.part", {folder}], FileNames[".*", {folder}]}],
-  {FileNameJoin[{folder, "n.logodds"}] <> ": cannot be written", {}, {}},
-  TestID -> "a file that cannot be written leaves nothing beside it"]
-DeleteDirectory[folder, DeleteContents -> True];

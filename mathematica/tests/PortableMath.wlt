@@ -117,13 +117,13 @@ VerificationTest[
   TestID -> "a list is not taken for the one before it"]
 
 VerificationTest[
-  bits[{DivideEach[15, 137.], DivideEach[1., 49.]}],
+  bits[{divideEach[15, 137.], divideEach[1., 49.]}],
   {"3fbc077975b8fe22", "3f94e5e0a72f0539"},
   TestID -> "a quotient is rounded once"]
 VerificationTest[
-  bits[DivideEach[{1., 15.}, 49.]], bits[Map[Divide[#, 49.] &, {1., 15.}]],
+  bits[divideEach[{1., 15.}, 49.]], bits[Map[Divide[#, 49.] &, {1., 15.}]],
   TestID -> "a list by a number"]
 VerificationTest[
-  bits[DivideEach[15., {49., 137.}]],
+  bits[divideEach[15., {49., 137.}]],
   bits[Map[Divide[15., #] &, {49., 137.}]],
   TestID -> "a number by a list"]

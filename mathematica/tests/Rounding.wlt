@@ -1,13 +1,14 @@
 (* No source of the package may round otherwise on a Wolfram kernel. *)
 
-rooms = {"PortableMath", "Noise", "Grid", "Ray", "World", "Sensor",
-  "Scenario", "Lesson", "Mapper", "MapWriter", "Picture", "Main"};
-sourceOf[room_] := ReadString[
-  FileNameJoin[{here, "..", "OccupancyGrid", room <> ".wl"}]];
+modules = {"Usage", "Arguments", "PortableMath", "Noise", "Grid", "Ray",
+  "World", "Sensor", "Scenario", "Lesson", "Mapper", "Fast", "MapWriter",
+  "MapFiles", "Picture", "Main"};
+sourceOf[module_] := ReadString[
+  FileNameJoin[{here, "..", "OccupancyGrid", module <> ".wl"}]];
 
 VerificationTest[
-  Map[Complaints[sourceOf[#]] &, rooms],
-  Map[{} &, rooms],
+  Map[Complaints[sourceOf[#]] &, modules],
+  Map[{} &, modules],
   TestID -> "no source has a quotient, a long sum or a long product"]
 
 VerificationTest[
@@ -19,10 +20,21 @@ VerificationTest[
 VerificationTest[
   Sort[Map[FileBaseName, FileNames["*.wl",
     {FileNameJoin[{here, "..", "OccupancyGrid"}]}]]],
-  Sort[rooms],
-  TestID -> "all rooms are looked at"]
+  Sort[modules],
+  TestID -> "all modules are looked at"]
 
 (* each rule with what it refuses *)
+VerificationTest[
+  Complaints["t = Map[If[f[#], 1., Divide[a, #]] &, x];\nDivide[a, b];"],
+  {{1, "a division mapped over a list"}},
+  TestID -> "refuses Divide within Map"]
+VerificationTest[
+  Complaints["Table[(z = Divide[1., k]), {k, 9}]; Divide[1., x] /@ y"],
+  {{1, "a division mapped over a list"}},
+  TestID -> "refuses Divide within Table"]
+VerificationTest[
+  Complaints["MapThread[Divide, {x, y}]; Map[f, x]; Divide[a, b]"], {},
+  TestID -> "lets MapThread and a single division pass"]
 VerificationTest[
   Complaints["f[x_, y_] := x/y;"], {{1, "a quotient"}},
   TestID -> "refuses a quotient"]

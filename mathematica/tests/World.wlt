@@ -26,13 +26,13 @@ VerificationTest[
   TestID -> "nearly parallel"]
 
 VerificationTest[
-  SimulateLidarScan[{0., 0., 0.}, {wall, Segment[1., -1., 1., 1.]},
+  SimulateLidarScan[Pose[0., 0., 0.], {wall, Segment[1., -1., 1., 1.]},
     {0., 1.5707963267948966, 3.141592653589793}, 10.],
   {1., 10., 10.},
   TestID -> "the nearest wall, else the maximum"]
 VerificationTest[
-  {SimulateLidarScan[{0., 0., 0.}, {wall}, {0.}, 2.],
-    SimulateLidarScan[{0., 0., 0.}, {wall}, {0.}, 1.5],
-    SimulateLidarScan[{0., 0., 0.}, {}, {0., 1.}, 1.5]},
+  {SimulateLidarScan[Pose[0., 0., 0.], {wall}, {0.}, 2.],
+    SimulateLidarScan[Pose[0., 0., 0.], {wall}, {0.}, 1.5],
+    SimulateLidarScan[Pose[0., 0., 0.], {}, {0., 1.}, 1.5]},
   {{2.}, {1.5}, {1.5, 1.5}},
   TestID -> "a wall at the maximum range, beyond it, none"]

@@ -6,7 +6,9 @@
    Times may put them in another order), products without a sign, powers of
    anything but a whole number, exact rationals in scientific notation
    (1*^-5), numbers of more than 17 digits (which are of arbitrary precision),
-   and the platform's own functions.
+   Divide within Map, Table, Array or Scan (the code that the kernel makes of
+   these over a long list may multiply by reciprocals), and the platform's own
+   functions.
 
    ComparisonComplaints[text] lists comparisons whose right side is no whole
    number: machine numbers are compared with forgiveness, so that a difference
@@ -51,11 +53,13 @@ operandQ[token_] := numberQ[token] || nameQ[token] ||
 openQ[token_] := MemberQ[{"(", "[", "{", "<|"}, token];
 closeQ[token_] := MemberQ[{")", "]", "}", "|>"}, token];
 
-(* A level of brackets is {terms, factors, whether an operand has just ended}.
+mapping = {"Map", "Table", "Array", "Scan"};
+
+(* A level of brackets is {terms, factors, whether it is within a mapping}.
    Signs that bind less than + begin a new sum; so does every bracket. *)
 Complaints[text_] := Module[
   {tokens = codeTokens[text], levels = {}, terms = 0, factors = 0,
-    ended = False, previous = "", found = {}, say},
+    mapped = False, ended = False, previous = "", found = {}, say},
   say[place_, what_] := (found = Append[found, {place, what}]);
   Do[
     With[{token = First[item], place = Last[item]},
@@ -63,12 +67,13 @@ Complaints[text_] := Module[
         openQ[token],
           If[ended && token =!= "[",
             say[place, "a product without a sign"]];
-          levels = Append[levels, {terms, factors}];
+          levels = Append[levels, {terms, factors, mapped}];
+          mapped = mapped || token === "[" && MemberQ[mapping, previous];
           terms = 0;
           factors = 0;
           ended = False,
         closeQ[token],
-          {terms, factors} = Last[levels];
+          {terms, factors, mapped} = Last[levels];
           levels = Most[levels];
           ended = True,
         StringMatchQ[token, RegularExpression["_+"]],
@@ -79,6 +84,8 @@ Complaints[text_] := Module[
             say[place, "a product without a sign"]];
           If[MemberQ[forbidden, token] && !StringMatchQ[previous, "_"],
             say[place, "the platform's " <> token]];
+          If[mapped && token === "Divide",
+            say[place, "a division mapped over a list"]];
           If[StringMatchQ[token, RegularExpression["[0-9]+\\*\\^-.*"]],
             say[place, "an exact rational"]];
           If[numberQ[token] && StringLength[First[StringSplit[
@@ -126,6 +133,7 @@ ComparisonComplaints[text_] := Module[{tokens = codeTokens[text], next},
       Nothing],
     {i, Length[tokens]}]];
 
-endQ[token_] := closeQ[token] || MemberQ[{",", ";", "&&", "||", "&"}, token];
+endQ[token_] := closeQ[token] ||
+  MemberQ[{",", ";", "&&", "||", "&", ":="}, token];
 comparedWithWholeQ[a_, b_, c_, d_] := wholeQ[a] && (
   endQ[b] || (b === "^" && wholeQ[c] && endQ[d]));
