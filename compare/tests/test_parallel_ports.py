@@ -1,4 +1,4 @@
-"""The ports are one program in five languages: the same rooms, the same snippets."""
+"""The ports are one program in five languages: the same modules, the same snippets."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ def table(title: str) -> dict[str, str]:
     return {cell[0]: cell[1] for cell in cells}
 
 
-ROOMS = list(table("Rooms"))
+MODULES = list(table("Modules"))
 SNIPPETS = {
-    room: re.findall(r"`([a-z0-9-]+)`", names)
-    for room, names in table("Snippets").items()
+    module: re.findall(r"`([a-z0-9-]+)`", names)
+    for module, names in table("Snippets").items()
 }
 
 
@@ -55,15 +55,15 @@ def source_files(folder: Path) -> Iterator[Path]:
             yield path
 
 
-def rooms_of(folder: Path) -> dict[str, list[Path]]:
-    """The files of each room: of its name, or in a folder of its name."""
-    files: dict[str, list[Path]] = {room: [] for room in ROOMS}
+def modules_of(folder: Path) -> dict[str, list[Path]]:
+    """The files of each module: of its name, or in a folder of its name."""
+    files: dict[str, list[Path]] = {module: [] for module in MODULES}
     for path in source_files(folder):
         parts = [path.stem, *path.relative_to(folder).parent.parts]
         names = [plain(part) for part in parts]
-        for room in ROOMS:
-            if plain(room) in names:
-                files[room].append(path)
+        for module in MODULES:
+            if plain(module) in names:
+                files[module].append(path)
                 break
     return files
 
@@ -108,34 +108,36 @@ def test_there_are_five_ports() -> None:
 
 
 def test_the_tables_are_read() -> None:
-    assert len(ROOMS) == 11
-    assert (ROOMS[0], ROOMS[-1]) == ("portable_math", "main")
+    assert len(MODULES) == 12
+    assert (MODULES[0], MODULES[-1]) == ("portable_math", "main")
     assert SNIPPETS["portable_math"] == [
         "portable-sin",
         "portable-exp",
         "portable-log",
     ]
     assert sum(map(len, SNIPPETS.values())) > 20
-    assert set(SNIPPETS) <= set(ROOMS)
+    assert set(SNIPPETS) <= set(MODULES)
 
 
-@pytest.mark.parametrize("room", ROOMS)
+@pytest.mark.parametrize("module", MODULES)
 @pytest.mark.parametrize(
     "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
 )
-def test_has_the_room(folder: Path, room: str) -> None:
-    assert rooms_of(folder)[room], f"{folder.name} has no {room}"
+def test_has_the_module(folder: Path, module: str) -> None:
+    assert modules_of(folder)[module], f"{folder.name} has no {module}"
 
 
-@pytest.mark.parametrize("room", ROOMS)
+@pytest.mark.parametrize("module", MODULES)
 @pytest.mark.parametrize(
     "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
 )
-def test_has_the_rooms_snippets_in_order(folder: Path, room: str) -> None:
-    """Where a room has several files, each has its own in order, and none twice."""
-    expected = SNIPPETS.get(room, [])
+def test_has_the_modules_snippets_in_order(
+    folder: Path, module: str
+) -> None:
+    """Where a module has several files, each has its own in order, and none twice."""
+    expected = SNIPPETS.get(module, [])
     found: list[str] = []
-    for path in rooms_of(folder)[room]:
+    for path in modules_of(folder)[module]:
         names = list(snippets_of(path))
         order = [name for name in expected if name in names]
         assert names == order, (
@@ -149,9 +151,9 @@ def test_has_the_rooms_snippets_in_order(folder: Path, room: str) -> None:
     "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
 )
 def test_has_no_snippets_elsewhere(folder: Path) -> None:
-    rooms = [path for files in rooms_of(folder).values() for path in files]
+    modules = [path for files in modules_of(folder).values() for path in files]
     for path in source_files(folder):
-        if path not in rooms:
+        if path not in modules:
             assert snippets_of(path) == {}, path.relative_to(ROOT)
 
 

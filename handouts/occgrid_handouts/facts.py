@@ -24,24 +24,24 @@ HANDOUTS = Path(__file__).resolve().parents[1]
 # how each port is run, as the text shows it
 COMMANDS = {
     "python": (
-        ".venv/bin/occgrid --noise-free --out out",
+        ".venv/bin/occgrid --plain --noise-free --out maps",
         ".venv/bin/occgrid --plot lesson.png",
     ),
     "cpp": (
-        "cpp/build/occgrid --noise-free --out out",
+        "cpp/build/occgrid --plain --noise-free --out maps",
         "cpp/build/occgrid --seed 1 > lesson.pgm",
     ),
     "java": (
-        "java -jar java/target/occgrid.jar --noise-free --out out",
+        "java -jar java/target/occgrid.jar --plain --noise-free --out maps",
         "java -jar java/target/occgrid.jar --seed 1 > lesson.pgm",
     ),
     "matlab": (
-        "octave-cli matlab/occgrid_cli.m --noise-free --out out",
-        "octave-cli matlab/occgrid_cli.m --seed 1 > lesson.pgm",
+        "sh matlab/matlab.sh occgrid --plain --noise-free --out maps",
+        "sh matlab/matlab.sh occgrid --seed 1 > lesson.pgm",
     ),
     "mathematica": (
-        "wolframscript -file mathematica/occgrid.wls --noise-free --out out",
-        ".venv/bin/woxi run mathematica/occgrid.wls --seed 1 > lesson.pgm",
+        "sh mathematica/wolfram.sh mathematica/occgrid.wls --plain --out maps",
+        "sh mathematica/wolfram.sh mathematica/occgrid.wls > lesson.pgm",
     ),
 }
 

@@ -27,7 +27,6 @@ NAMES = (
     "update-cell",
     "probability-grid",
     "bresenham",
-    "clip-ray",
     "box-world",
     "ray-segment-intersection",
     "simulate-lidar-scan",
@@ -40,6 +39,8 @@ NAMES = (
     "lesson-world",
     "lesson-poses",
     "map-scenario",
+    "clip-ray",
+    "update-grid-from-scans",
     "pixel",
     "map-pgm",
 )
