@@ -16,8 +16,9 @@ from occgrid_handouts.port_maps import run_ports
 from occgrid_handouts.problems import problem_facts
 from occgrid_handouts.programs import read_programs
 from occgrid_handouts.project import COMMAND, Edition
-from occgrid_handouts.snippets import NAMES, read_snippets, require
+from occgrid_handouts.snippets import read_snippets, require
 from occgrid_handouts.story import tell_story
+from occgrid_parity.ports.contributing import snippet_names
 
 HANDOUTS = Path(__file__).resolve().parents[1]
 
@@ -50,10 +51,11 @@ def snippet_facts(
     root: Path, languages: Sequence[Language]
 ) -> dict[str, dict[str, object]]:
     """Each language's snippets. Raises SnippetError where one is missing or unknown."""
+    names = snippet_names(root)
     facts: dict[str, dict[str, object]] = {}
     for language in languages:
         found = read_snippets(root, language)
-        require(language, found, NAMES)
+        require(language, found, names)
         facts[language.id] = {
             name: {
                 "file": found[name].file,
@@ -61,7 +63,7 @@ def snippet_facts(
                 "last": found[name].last,
                 "code": found[name].code,
             }
-            for name in NAMES
+            for name in names
         }
     return facts
 

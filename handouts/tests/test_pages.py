@@ -16,7 +16,7 @@ from occgrid_handouts.languages import LANGUAGES
 from occgrid_handouts.math_font import find_font
 from occgrid_handouts.page_tree import Element
 from occgrid_handouts.project import ROOT
-from occgrid_handouts.snippets import MAX_COLUMNS
+from occgrid_parity.ports.snippets import MAX_COLUMNS
 
 
 def handout_pages(handouts: Handouts) -> list[str]:
