@@ -1,142 +1,195 @@
-"""The ports are one program in five languages: the same rooms, the same snippets."""
+"""The ports are one program: the same modules, functions, parameters and snippets.
+
+CONTRIBUTING.md says which, and where a language must differ. What a port defines is read from its sources.
+"""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from .conftest import PORTS, ROOT
-
-NAMES = ["python", "cpp", "java", "matlab", "mathematica"]
-SOURCES = (".py", ".cpp", ".hpp", ".h", ".java", ".m", ".wl", ".wls")
-NOT_SOURCES = re.compile(
-    r"^(\..*|build.*|target|tests?|__pycache__|.*\.egg-info)$"
+from occgrid_parity.ports.contributing import (
+    Signature,
+    module_functions,
+    module_snippets,
+    parameter_names,
+    read_table,
+    signatures,
+    snippet_names,
 )
-MARKER = re.compile(r"\[(/?)snippet(?::\s*([a-z0-9-]+))?\]")
-MAX_COLUMNS = 79
-ROOT_FOLDERS = [port.folder for port in PORTS]
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.ports.snippets import parse_snippets
+from occgrid_parity.ports.sources import module_files, plain, source_files
+
+from .conftest import PORTS, ROOT
+from .port_signatures import read_signatures
+
+MODULES = module_functions(ROOT)
+FUNCTIONS = {one.name: one for sigs in MODULES.values() for one in sigs}
+SNIPPETS = module_snippets(ROOT)
+BY_NAME = {port.name: port for port in PORTS}
+
+THERE = re.compile(r"(?:`(?P<signature>[^`]+)`)? ?(?:in `(?P<file>[^`]+)`)?")
+
+Definitions = list[tuple[str, ...]]
+"""The parameters of each definition of a name, without case and underscores; an overloaded name has several."""
 
 
-def table(title: str) -> dict[str, str]:
-    """The rows of the table below a heading of CONTRIBUTING.md: first column to second."""
-    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    section = text.split(f"\n## {title}\n")[1].split("\n## ")[0]
-    rows = [line for line in section.splitlines() if line.startswith("|")]
-    cells = [
-        [cell.strip() for cell in row.strip("|").split("|")]
-        for row in rows[2:]
-    ]
-    return {cell[0]: cell[1] for cell in cells}
+@dataclass(frozen=True)
+class Difference:
+    """One port's entry for one name in the table "Differences between the ports".
+
+    ``there`` is None where the port has no such name, ``file`` the end of the file's path (without suffix) where it
+    is not in its module.
+    """
+
+    port: str
+    name: str
+    there: Signature | None
+    file: str = ""
 
 
-ROOMS = list(table("Rooms"))
-SNIPPETS = {
-    room: re.findall(r"`([a-z0-9-]+)`", names)
-    for room, names in table("Snippets").items()
-}
-
-
-def plain(name: str) -> str:
-    """A name without the marks of its case: map_writer, mapWriter, MapWriter."""
-    return name.lstrip("+@").replace("_", "").replace("-", "").lower()
-
-
-def source_files(folder: Path) -> Iterator[Path]:
-    """A port's own sources, by path; neither its tests nor what was built."""
-    for path in sorted(folder.iterdir()):
-        if NOT_SOURCES.match(path.name):
-            continue
-        if path.is_dir():
-            yield from source_files(path)
-        elif path.suffix in SOURCES:
-            yield path
-
-
-def rooms_of(folder: Path) -> dict[str, list[Path]]:
-    """The files of each room: of its name, or in a folder of its name."""
-    files: dict[str, list[Path]] = {room: [] for room in ROOMS}
-    for path in source_files(folder):
-        parts = [path.stem, *path.relative_to(folder).parent.parts]
-        names = [plain(part) for part in parts]
-        for room in ROOMS:
-            if plain(room) in names:
-                files[room].append(path)
-                break
-    return files
-
-
-def snippets_of(path: Path) -> dict[str, list[str]]:
-    """The snippets of a file: name to lines. Fails the test where markers do not match."""
-    found: dict[str, list[str]] = {}
-    name, lines = "", []
-    for number, line in enumerate(
-        path.read_text(encoding="utf-8").splitlines(), 1
+def allowed_differences() -> Iterator[Difference]:
+    for ports, names, there, _ in read_table(
+        ROOT, "Differences between the ports"
     ):
-        marker = MARKER.search(line)
-        place = f"{path.relative_to(ROOT)}:{number}"
-        if marker is None:
-            lines.append(line)
-            continue
-        assert (
-            re.search(r"[A-Za-z0-9]", line.replace(marker[0], "")) is None
-        ), f"{place}: a marker stands on a line of its own"
-        if marker[1]:
-            assert name, f"{place}: the end of no snippet"
-            assert lines, f"{place}: an empty snippet {name}"
-            found[name] = lines
-            name, lines = "", []
-        else:
-            assert not name, f"{place}: within the snippet {name}"
-            name, lines = marker[2], []
-            assert name, f"{place}: a snippet without a name"
-            assert name not in found, f"{place}: {name} again"
-    assert not name, (
-        f"{path.relative_to(ROOT)}: the snippet {name} does not end"
+        for port in ports.split(", "):
+            for one in signatures(names):
+                yield difference(port, one.name, there)
+
+
+def difference(port: str, name: str, there: str) -> Difference:
+    """Reads the column "there" for one name."""
+    if there == "none":
+        return Difference(port, name, None)
+    usual = FUNCTIONS[name]
+    match = THERE.fullmatch(there)
+    if match is None:
+        raise ValueError(f"differences: cannot be read: {there}")
+    quoted, file = match["signature"] or "...", match["file"] or ""
+    new_name, bracket, rest = quoted.partition("(")
+    parameters = usual.parameters
+    if bracket:
+        words: list[str] = []
+        for word in parameter_names(rest.rstrip(")")) or ():
+            words += (usual.parameters or ()) if word == "..." else [word]
+        parameters = tuple(words)
+    return Difference(
+        port,
+        name,
+        Signature(new_name.replace("...", name), parameters),
+        file,
     )
+
+
+DIFFERENCES = {(one.port, one.name): one for one in allowed_differences()}
+
+
+def defined(paths: list[Path]) -> dict[str, Definitions]:
+    """What the files define, names and parameters without case and underscores."""
+    found: dict[str, Definitions] = {}
+    for path in paths:
+        for name, several in read_signatures(path).items():
+            found.setdefault(plain(name), []).extend(
+                tuple(map(plain, parameters)) for parameters in several
+            )
     return found
 
 
-def test_there_are_five_ports() -> None:
-    assert sorted(port.name for port in PORTS) == sorted(NAMES)
-    for port in PORTS:
-        assert port.folder.name == port.name
-        assert port.probe, f"{port.name}/port.toml has no probe"
-        assert port.version, f"{port.name}/port.toml has no version"
+def fits(wanted: Signature, found: dict[str, Definitions]) -> bool:
+    several = found.get(plain(wanted.name), [])
+    if wanted.parameters is None:
+        return bool(several)
+    return tuple(map(plain, wanted.parameters)) in several
+
+
+def as_found(name: str, found: dict[str, Definitions]) -> str:
+    several = found.get(plain(name), [])
+    texts = [f"{name}({', '.join(parameters)})" for parameters in several]
+    return " and ".join(texts) or f"no {name}"
+
+
+def own_file(port: Port, end: str) -> list[Path]:
+    """The port's source file whose path ends so."""
+    return [
+        path
+        for path in source_files(port.folder)
+        if path.with_suffix("").as_posix().endswith(f"/{end}")
+    ]
+
+
+def wrong_functions(port: Port, module: str) -> Iterator[str]:
+    """What is not as the tables say it."""
+    usual = defined(module_files(port.folder, MODULES)[module])
+    for signature in MODULES[module]:
+        found, wanted = usual, signature
+        entry = DIFFERENCES.get((port.name, signature.name))
+        if entry and fits(signature, usual):
+            yield f"{signature} is as everywhere: its row among the differences goes"
+            continue
+        if entry and entry.there is None:
+            if plain(signature.name) in usual:
+                yield f"{as_found(signature.name, usual)}, where none is allowed"
+            continue
+        if entry and entry.there:
+            wanted = entry.there
+            if entry.file:
+                found = defined(own_file(port, entry.file))
+        if not fits(wanted, found):
+            yield f"{wanted} is {as_found(wanted.name, found)}"
 
 
 def test_the_tables_are_read() -> None:
-    assert len(ROOMS) == 11
-    assert (ROOMS[0], ROOMS[-1]) == ("portable_math", "main")
-    assert SNIPPETS["portable_math"] == [
-        "portable-sin",
-        "portable-exp",
-        "portable-log",
-    ]
-    assert sum(map(len, SNIPPETS.values())) > 20
-    assert set(SNIPPETS) <= set(ROOMS)
+    assert (next(iter(MODULES)), [*MODULES][-1]) == ("portable_math", "main")
+    assert len(MODULES) == 12
+    assert len(FUNCTIONS) == sum(map(len, MODULES.values())) > 40
+    assert str(FUNCTIONS["bresenham"]) == "bresenham(gx0, gy0, gx1, gy1)"
+    assert set(SNIPPETS) <= set(MODULES)
+    assert len(set(snippet_names(ROOT))) == len(snippet_names(ROOT)) > 20
+    assert str(difference("web", "logit", "`P...(grid, ..., k)`").there) == (
+        "Plogit(grid, p, k)"
+    )
+    for port, name in DIFFERENCES:
+        assert port in BY_NAME, f"differences: no port {port}"
+        assert name in FUNCTIONS, f"differences: no function {name}"
 
 
-@pytest.mark.parametrize("room", ROOMS)
+@pytest.mark.parametrize("port", PORTS, ids=lambda port: port.name)
+def test_a_port_has_a_probe_and_a_version(port: Port) -> None:
+    assert port.folder.name == port.name
+    assert port.probe, f"{port.name}/port.toml has no probe"
+    assert port.version, f"{port.name}/port.toml has no version"
+
+
+@pytest.mark.parametrize("module", MODULES)
+@pytest.mark.parametrize("port", PORTS, ids=lambda port: port.name)
+def test_has_the_module(port: Port, module: str) -> None:
+    assert module_files(port.folder, MODULES)[module], (
+        f"{port.name} has no {module}"
+    )
+
+
 @pytest.mark.parametrize(
-    "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
+    "module", [module for module, functions in MODULES.items() if functions]
 )
-def test_has_the_room(folder: Path, room: str) -> None:
-    assert rooms_of(folder)[room], f"{folder.name} has no {room}"
+@pytest.mark.parametrize("port", PORTS, ids=lambda port: port.name)
+def test_has_the_modules_functions(port: Port, module: str) -> None:
+    wrong = list(wrong_functions(port, module))
+    assert not wrong, "\n".join([f"{port.name}, {module}:", *wrong])
 
 
-@pytest.mark.parametrize("room", ROOMS)
-@pytest.mark.parametrize(
-    "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
-)
-def test_has_the_rooms_snippets_in_order(folder: Path, room: str) -> None:
-    """Where a room has several files, each has its own in order, and none twice."""
-    expected = SNIPPETS.get(room, [])
+@pytest.mark.parametrize("module", MODULES)
+@pytest.mark.parametrize("port", PORTS, ids=lambda port: port.name)
+def test_has_the_modules_snippets_in_order(port: Port, module: str) -> None:
+    """Where a module has several files, each has its own in order, and none twice."""
+    expected = SNIPPETS.get(module, [])
     found: list[str] = []
-    for path in rooms_of(folder)[room]:
-        names = list(snippets_of(path))
+    for path in module_files(port.folder, MODULES)[module]:
+        names = snippets_of(path)
         order = [name for name in expected if name in names]
         assert names == order, (
             f"{path.relative_to(ROOT)}: not these in this order"
@@ -145,25 +198,17 @@ def test_has_the_rooms_snippets_in_order(folder: Path, room: str) -> None:
     assert sorted(found) == sorted(expected)
 
 
-@pytest.mark.parametrize(
-    "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
-)
-def test_has_no_snippets_elsewhere(folder: Path) -> None:
-    rooms = [path for files in rooms_of(folder).values() for path in files]
-    for path in source_files(folder):
-        if path not in rooms:
-            assert snippets_of(path) == {}, path.relative_to(ROOT)
+@pytest.mark.parametrize("port", PORTS, ids=lambda port: port.name)
+def test_has_no_snippets_elsewhere(port: Port) -> None:
+    files = module_files(port.folder, MODULES)
+    modules = [path for paths in files.values() for path in paths]
+    for path in source_files(port.folder):
+        if path not in modules:
+            assert snippets_of(path) == [], path.relative_to(ROOT)
 
 
-@pytest.mark.parametrize(
-    "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
-)
-def test_snippets_fit_a_page(folder: Path) -> None:
-    for path in source_files(folder):
-        for name, lines in snippets_of(path).items():
-            for line in lines:
-                place = f"{path.relative_to(ROOT)}: {name}"
-                assert len(line) <= MAX_COLUMNS, (
-                    f"{place}: {len(line)} columns: {line}"
-                )
-                assert "\t" not in line, f"{place}: a tab: {line}"
+def snippets_of(path: Path) -> list[str]:
+    """The names of a file's snippets, in its order."""
+    file = path.relative_to(ROOT).as_posix()
+    text = path.read_text(encoding="utf-8")
+    return [snippet.name for snippet in parse_snippets(file, text)]

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 from occgrid_handouts.page_tree import Element
 
+SIDE_BY_SIDE = "The same code in"
+
 
 @dataclass(frozen=True)
 class Heading:
@@ -115,7 +117,7 @@ def read_blocks(page: Element) -> list[Block]:
         raise ValueError("the page has no main part")
     blocks = _blocks(main)
     for i, block in enumerate(blocks):
-        if isinstance(block, Heading) and "Appendix" in block.text:
+        if isinstance(block, Heading) and SIDE_BY_SIDE in block.text:
             return blocks[:i]
     return blocks
 

@@ -11,8 +11,8 @@ from pathlib import Path
 from occgrid_handouts.building import build
 from occgrid_handouts.languages import BY_ID, LANGUAGES
 from occgrid_handouts.project import ROOT, current_edition
-from occgrid_handouts.snippets import SnippetError
 from occgrid_handouts.typesetting import TypesettingError
+from occgrid_parity.ports.snippets import SnippetError
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -16,32 +16,33 @@ from occgrid_handouts.port_maps import run_ports
 from occgrid_handouts.problems import problem_facts
 from occgrid_handouts.programs import read_programs
 from occgrid_handouts.project import COMMAND, Edition
-from occgrid_handouts.snippets import NAMES, read_snippets, require
+from occgrid_handouts.snippets import read_snippets, require
 from occgrid_handouts.story import tell_story
+from occgrid_parity.ports.contributing import snippet_names
 
 HANDOUTS = Path(__file__).resolve().parents[1]
 
 # how each port is run, as the text shows it
 COMMANDS = {
     "python": (
-        ".venv/bin/occgrid --noise-free --out out",
+        ".venv/bin/occgrid --plain --noise-free --out maps",
         ".venv/bin/occgrid --plot lesson.png",
     ),
     "cpp": (
-        "cpp/build/occgrid --noise-free --out out",
+        "cpp/build/occgrid --plain --noise-free --out maps",
         "cpp/build/occgrid --seed 1 > lesson.pgm",
     ),
     "java": (
-        "java -jar java/target/occgrid.jar --noise-free --out out",
+        "java -jar java/target/occgrid.jar --plain --noise-free --out maps",
         "java -jar java/target/occgrid.jar --seed 1 > lesson.pgm",
     ),
     "matlab": (
-        "octave-cli matlab/occgrid_cli.m --noise-free --out out",
-        "octave-cli matlab/occgrid_cli.m --seed 1 > lesson.pgm",
+        "sh matlab/matlab.sh occgrid --plain --noise-free --out maps",
+        "sh matlab/matlab.sh occgrid --seed 1 > lesson.pgm",
     ),
     "mathematica": (
-        "wolframscript -file mathematica/occgrid.wls --noise-free --out out",
-        ".venv/bin/woxi run mathematica/occgrid.wls --seed 1 > lesson.pgm",
+        "sh mathematica/wolfram.sh mathematica/occgrid.wls --plain --out maps",
+        "sh mathematica/wolfram.sh mathematica/occgrid.wls > lesson.pgm",
     ),
 }
 
@@ -50,10 +51,11 @@ def snippet_facts(
     root: Path, languages: Sequence[Language]
 ) -> dict[str, dict[str, object]]:
     """Each language's snippets. Raises SnippetError where one is missing or unknown."""
+    names = snippet_names(root)
     facts: dict[str, dict[str, object]] = {}
     for language in languages:
         found = read_snippets(root, language)
-        require(language, found, NAMES)
+        require(language, found, names)
         facts[language.id] = {
             name: {
                 "file": found[name].file,
@@ -61,7 +63,7 @@ def snippet_facts(
                 "last": found[name].last,
                 "code": found[name].code,
             }
-            for name in NAMES
+            for name in names
         }
     return facts
 

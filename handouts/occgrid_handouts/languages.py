@@ -31,7 +31,7 @@ LANGUAGES = (
         "cpp",
         "C++ with Eigen",
         "cpp",
-        ("cpp/src/*.hpp", "cpp/src/*.cpp"),
+        ("cpp/include/occgrid/*.hpp", "cpp/src/*.hpp", "cpp/src/*.cpp"),
         "cpp",
     ),
     Language(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from occgrid_handouts.languages import Language
-from occgrid_handouts.snippets import MAX_COLUMNS, SnippetError
+from occgrid_parity.ports.snippets import MAX_COLUMNS, SnippetError
 
 ENDINGS = {"python": ".py", "matlab": ".m", "mathematica": ".wl"}
 

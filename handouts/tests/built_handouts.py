@@ -14,7 +14,8 @@ from occgrid_handouts.languages import LANGUAGES
 from occgrid_handouts.page_tree import Element, read_page
 from occgrid_handouts.platform_math import search_path
 from occgrid_handouts.project import ROOT, Edition, current_edition
-from occgrid_handouts.snippets import Snippet, read_snippets
+from occgrid_handouts.snippets import read_snippets
+from occgrid_parity.ports.snippets import Snippet
 
 REQUIRE_ALL = os.environ.get("PARITY_REQUIRE_ALL") == "1"
 

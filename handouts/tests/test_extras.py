@@ -133,15 +133,7 @@ def test_wolfram_notebook_is_read_by_an_interpreter(
 def test_wolfram_programs_run(tmp_path: Path) -> None:
     """The input cells, but for the first, which needs a front end, and those that take long."""
     needs("woxi", wolfram_command()[0])
-    rooms = re.findall(
-        r'"(\w+)"',
-        (ROOT / "mathematica" / "OccupancyGrid.wl")
-        .read_text(encoding="utf-8")
-        .split("Scan[")[1],
-    )
-    rooms = [room for room in rooms if room not in ("Main", "Picture", "wl")]
-    folder = ROOT / "mathematica" / "OccupancyGrid"
-    lines = [f'Get["{folder}/{room}.wl"];' for room in rooms]
+    lines = ['Get["mathematica/OccupancyGrid.wl"];']
     for name in ("world_to_grid", "log_odds", "one_beam"):
         program = ROOT / f"handouts/programs/mathematica/{name}.wl"
         lines.append(program.read_text(encoding="utf-8"))

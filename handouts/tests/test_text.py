@@ -9,7 +9,6 @@ import pytest
 import typst
 
 from occgrid_handouts.project import ROOT
-from occgrid_handouts.snippets import NAMES
 from occgrid_handouts.typesetting import (
     TEXT,
     Kind,
@@ -17,6 +16,7 @@ from occgrid_handouts.typesetting import (
     typeset,
     with_spoken_math,
 )
+from occgrid_parity.ports.contributing import snippet_names
 
 LIB = '#import "lib.typ": *\n'
 # equations of the text link to these
@@ -33,7 +33,7 @@ def compile_text(folder: Path, text: str, kind: Kind = "html") -> bytes:
     part = {"file": "grid.py", "first": 3, "last": 4, "code": "x = 1\ny = 2"}
     facts = {
         "languages": {"python": {"name": "Python", "syntax": "python"}},
-        "snippets": {"python": dict.fromkeys(NAMES, part)},
+        "snippets": {"python": dict.fromkeys(snippet_names(ROOT), part)},
         "programs": {"python": {}},
     }
     (folder / "data.json").write_text(json.dumps(facts))

@@ -126,22 +126,22 @@ fail[reason_, line_] := Throw[
 oneLine[text_] := StringReplace[
   text, RegularExpression["[\\x00-\\x1f\\x7f]"] -> "?"];
 
-ReadScenario[file_String] := Module[{lines, scans},
-  theFile = file;
+ReadScenario[path_String] := Module[{lines, scans},
+  theFile = path;
   theLine = 0;
   values = <||>;
   lineOf = <||>;
   walls = {};
   settings = None;
-  lines = readLines[file];
+  lines = readLines[path];
   scans = DeleteCases[Map[readLine, lines], Null];
   If[settings === None, fail["no scan"]];
-  <|"name" -> ScenarioName[file], "settings" -> settings,
+  <|"name" -> ScenarioName[path], "settings" -> settings,
     "walls" -> walls, "scans" -> scans|>];
 ReadScenario[___] := wrongArguments[ReadScenario];
 
-ScenarioName[file_String] := Module[{name, dots},
-  name = Last[StringSplit[file, "/"], ""];
+ScenarioName[path_String] := Module[{name, dots},
+  name = Last[StringSplit[path, "/"], ""];
   dots = StringPosition[name, "."];
   If[dots === {} || First[Last[dots]] == 1,
     name,

@@ -116,13 +116,13 @@ each beam, occupied at its hit (lesson section 4).";
 (* --- scenario --- *)
 
 NewGrid::usage = "NewGrid[settings] is the grid that a scenario starts with.";
-ReadScenario::usage = "ReadScenario[file] gives the scenario in a file, an \
+ReadScenario::usage = "ReadScenario[path] gives the scenario in a file, an \
 association: name, settings, walls (a list of Segment) and scans. A scan is a \
 Pose where it is to be simulated, and a RangeScan where it was recorded; \
 recorded ranges below settings[\"minRange\"] are Indeterminate. What breaks a \
 rule of SPEC.md section 8 is thrown as the text FILE:LINE: REASON with the \
 tag \"scenario\".";
-ScenarioName::usage = "ScenarioName[file] is a scenario's name: its file name \
+ScenarioName::usage = "ScenarioName[path] is a scenario's name: its file name \
 without the part from its last dot on.";
 ReadNumber::usage = "ReadNumber[token] is the machine number that a token \
 stands for, rounded correctly; Infinity, -Infinity, Indeterminate, or $Failed \

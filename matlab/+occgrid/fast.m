@@ -125,20 +125,20 @@ classdef fast
 
         % [/snippet]
 
-        function grid = map_scenario_fast(s, seed, progress)
+        function grid = map_scenario_fast(scenario, seed, progress)
             % MAP_SCENARIO_FAST  Map all scans of a scenario, many at once.
             %
-            %   s, seed: as for occgrid.mapper.map_scenario. progress: a
+            %   scenario, seed: as for occgrid.mapper.map_scenario. progress: a
             %   function that is called with the number of scans mapped so
             %   far, now and then; may be left out.
-            settings = s.settings;
+            settings = scenario.settings;
             grid = occgrid.scenario.new_grid(settings);
-            for batch = occgrid.fast.batches(s.scans, settings.beams)
+            for batch = occgrid.fast.batches(scenario.scans, settings.beams)
                 numbers = batch{1};
-                scan = occgrid.fast.side_by_side(s.scans(numbers));
+                scan = occgrid.fast.side_by_side(scenario.scans(numbers));
                 if isempty(scan.ranges)
                     scan = occgrid.mapper.simulated_scan( ...
-                        s, seed, scan.pose, numbers - 1);
+                        scenario, seed, scan.pose, numbers - 1);
                 end
                 grid = occgrid.fast.update_batch( ...
                     grid, scan, settings.max_range, settings.no_return);

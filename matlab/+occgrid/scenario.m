@@ -3,8 +3,8 @@ classdef scenario
     %
     %   grid = occgrid.scenario.new_grid(settings)
     %   s = occgrid.scenario.new_scenario(name, settings, walls, scans)
-    %   s = occgrid.scenario.read_scenario(file)
-    %   name = occgrid.scenario.scenario_name(file)
+    %   s = occgrid.scenario.read_scenario(path)
+    %   name = occgrid.scenario.scenario_name(path)
     %
     %   SPEC.md sections 5 and 8. settings is a struct with the names of
     %   SPEC.md section 5.2: width, height, resolution and so on; metres,
@@ -34,27 +34,27 @@ classdef scenario
             s.scans = scans;
         end
 
-        function s = read_scenario(file)
+        function s = read_scenario(path)
             % READ_SCENARIO  Read a scenario file.
             %
             %   Raises occgrid:scenario, with the message FILE:LINE: REASON,
             %   for the first line that breaks a rule.
-            file = char(file);
-            id = occgrid.files.open(file, 'r');
+            path = char(path);
+            id = occgrid.files.open(path, 'r');
             if id < 0
-                occgrid.scenario.fail(file, 0, 'cannot be read');
+                occgrid.scenario.fail(path, 0, 'cannot be read');
             end
             closes = onCleanup(@() fclose(id));
-            s = occgrid.scenario.read_lines(file, id);
+            s = occgrid.scenario.read_lines(path, id);
         end
 
-        function name = scenario_name(file)
+        function name = scenario_name(path)
             % SCENARIO_NAME  A file's name without folder and ending.
-            file = char(file);
-            slash = file == '/' | (ispc & file == '\');
-            file = file(1:max([find(~slash, 1, 'last'), 0]));
-            slash = [0, find(slash(1:numel(file)))];
-            name = file(slash(end) + 1:end);
+            path = char(path);
+            slash = path == '/' | (ispc & path == '\');
+            path = path(1:max([find(~slash, 1, 'last'), 0]));
+            slash = [0, find(slash(1:numel(path)))];
+            name = path(slash(end) + 1:end);
             dot = find(name == '.', 1, 'last');
             if ~isempty(dot) && dot > 1
                 name = name(1:dot - 1);
