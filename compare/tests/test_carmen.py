@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import gzip
 from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
 import pytest
+from PIL import Image
 from typer.testing import CliRunner
 
 from occgrid.grid import OccupancyGrid
+from occgrid.map_writer import pixel
+from occgrid.mapper import map_scenario
 from occgrid.scenario import Scenario, read_scenario
 from occgrid.sensor import Scan, beam_endpoints
 from occgrid_parity.commands.app import app
@@ -61,6 +65,10 @@ def test_fits_the_grid_to_hits_and_positions(tmp_path: Path) -> None:
     assert status == 0, text
     assert text == (
         f"{tmp_path}/scenario.log: 2 scans on 91 x 31 cells of 0.1 m from (-3.5, -1.5)\n"
+        "lines: 2 FLASER taken; passed over: 1 PARAM, 1 ODOM\n"
+        "readings: 6 in 2 scans of 3 beams; least 2.00 m, median 4.00 m, largest 81.91 m\n"
+        "no return, 10 m or more: 50 % (33 % at 81.91, 17 % at infinity)\n"
+        "of all readings: 17 % not a number (NaN)\n"
     )
     scans = [
         line
@@ -75,6 +83,7 @@ def test_fits_the_grid_to_hits_and_positions(tmp_path: Path) -> None:
         "PARAM occgrid_origin_x -3.5",
         "PARAM occgrid_origin_y -1.5",
         "PARAM occgrid_max_range 10",
+        "PARAM occgrid_no_return ignore",
         *scans,
     ]
     assert not list(tmp_path.glob(".*"))
@@ -189,7 +198,7 @@ def test_keeps_other_lines_on_request(tmp_path: Path) -> None:
     assert convert(log, "--all-lines", "--scans", "1:")[0] == 0
     data = (tmp_path / "scenario.log").read_bytes()
     assert data.endswith(
-        b"PARAM occgrid_max_range 30\n# first\nPARAM robot_width 0.4\n"
+        b"PARAM occgrid_no_return ignore\n# first\nPARAM robot_width 0.4\n"
         b"ODOM 0 0 0 0 0 0 1 host 1\n" + lines[4].strip().encode() + b"\n"
     )
 
@@ -244,16 +253,28 @@ def test_refuses_a_grid_that_is_too_large(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("lines", "reason"),
     [
-        ([], "{log}:0: no scan"),
-        (["ODOM 1 2 3", "# end"], "{log}:2: no scan"),
+        ([], "{log}:0: no FLASER or ROBOTLASER1: the file has no line"),
+        (
+            ["ODOM 1 2 3", "# end"],
+            "{log}:2: no FLASER or ROBOTLASER1; found 1 ODOM",
+        ),
+        (
+            [*3 * ["RAWLASER1 0 1 2"], "ODOM 1 2 3", "RLASER 1 2"],
+            "{log}:5: no FLASER or ROBOTLASER1; found 3 RAWLASER1, which has no pose and 1 RLASER, "
+            "which is another laser of the robot, of unstated direction",
+        ),
+        (
+            ["1.5 2.5 0 0 0 0 0 0"],
+            "{log}:1: no FLASER or ROBOTLASER1; found 1 lines that begin with a number",
+        ),
         (
             ["# x", "FLASER 2 1 x 0 0 0 0 0 0 0 h 0"],
             "{log}:2: range 1 'x' is not a number",
         ),
         (["FLASER"], "{log}:1: FLASER has no beam count"),
         (
-            ["", "FLASER 2 1 1 0 0 0"],
-            "{log}:2: FLASER with 2 beams takes 12 values, found 6",
+            ["", "FLASER 2 1 1 0 0"],
+            "{log}:2: FLASER with 2 beams takes 12 values, found 5",
         ),
         (
             [FLASER.format(1, 1, 1, 0, 0, 0).replace("host", "h\xf6st")],
@@ -335,3 +356,123 @@ def test_wrong_usage_ends_with_2(
 ) -> None:
     log = log_file(tmp_path, FLASER.format(1, 1, 1, 0, 0, 0))
     assert convert(log, *arguments)[0] == 2
+
+
+def test_a_map_that_ignores_no_return_is_the_default(tmp_path: Path) -> None:
+    log = log_file(tmp_path, FLASER.format(1, 1, 81.91, 0, 0, 0))
+    assert "through walls" not in convert(log)[1]
+    assert parameters(log)["no_return"] == "ignore"
+    assert "through walls" in convert(log, "--no-return", "free")[1]
+    assert parameters(log)["no_return"] == "free"
+
+
+def test_warns_of_a_largest_reading_that_is_often_there(
+    tmp_path: Path,
+) -> None:
+    log = log_file(tmp_path, *10 * [FLASER.format(1, 2, 8.19, 0, 0, 0)])
+    assert (
+        "warning: 33 % of the readings are 8.19, the largest that there is: if that means no return, "
+        "give --max-range 8.17\n"
+    ) in convert(log)[1]
+    _, text = convert(log, "--max-range", "8.17")
+    assert "warning" not in text
+    assert "no return, 8.17 m or more: 33 % (33 % at 8.19)\n" in text
+
+
+def test_readings_below_the_least_range_make_no_hit(tmp_path: Path) -> None:
+    log = log_file(tmp_path, FLASER.format(0, 0.25, 3, 5, 5, 0))
+    assert (
+        "33 % of the readings are 0: they are taken as hits" in convert(log)[1]
+    )
+    status, text = convert(log, "--min-range", "0.30", "--margin", "0")
+    assert status == 0
+    assert "of all readings: 33 % 0, 67 % below 0.3 m\n" in text
+    assert "warning" not in text
+    found = parameters(log)
+    assert found["min_range"] == "0.3"
+    # the grid is fitted to the third beam, three metres to the left
+    assert (found["width"], found["height"]) == ("1", "31")
+
+
+def test_a_compressed_log_gives_the_same_scenario(tmp_path: Path) -> None:
+    log = log_file(
+        tmp_path, *(FLASER.format(1, 2, 3, i, 0, 0) for i in range(20))
+    )
+    assert convert(log)[0] == 0
+    expected = lines_of(log)
+    plain = log.read_bytes()
+    log.write_bytes(gzip.compress(plain))  # whatever its name
+    assert convert(log)[0] == 0
+    assert lines_of(log) == expected
+    log.write_bytes(gzip.compress(plain)[:-30])
+    status, text = convert(log)
+    assert status == 1
+    assert text.startswith(
+        f"{log}: the compressed file is damaged or cut off after line "
+    )
+
+
+def test_a_byte_order_mark_and_a_cut_off_line(tmp_path: Path) -> None:
+    whole = FLASER.format(1, 1, 1, 0, 0, 0)
+    log = log_file(tmp_path, whole)
+    log.write_bytes(b"\xef\xbb\xbf" + log.read_bytes() + whole[:12].encode())
+    status, text = convert(log)
+    assert status == 0, text
+    assert (
+        "warning: the last line is cut off and skipped: FLASER with 3 beams"
+        in text
+    )
+    assert [w for w in lines_of(log) if w.startswith("FLASER")] == [whole]
+    assert lines_of(log)[0] == "# some.log: 1 of its 1 scans"
+    log.write_bytes(log.read_bytes() + b"\n")  # not the file's end any more
+    assert convert(log)[0] == 1
+
+
+def test_fills_up_a_flaser_that_lacks_time_stamps(tmp_path: Path) -> None:
+    whole = FLASER.format(1, 2, 3, 4, 5, 0.5)
+    for fields in range(3, 9):
+        short_line = " ".join(whole.split()[: 5 + fields])
+        log = log_file(tmp_path, short_line)
+        status, text = convert(log)
+        assert status == 0, text
+        assert "warning: 1 FLASER with fewer than 9 values" in text
+        assert lines_of(log)[-1] == short_line + (9 - fields) * " 0"
+        with read_scenario(tmp_path / "scenario.log") as scenario:
+            (scan,) = scenario.scans
+        assert isinstance(scan, Scan)
+        assert scan.pose == (4.0, 5.0, 0.5)
+    log = log_file(tmp_path, " ".join(whole.split()[:7]))
+    assert convert(log)[0] == 1  # not even a pose
+
+
+def test_utm_coordinates(tmp_path: Path) -> None:
+    scans = [
+        FLASER.format(1, 2, 3, 512345.125 + i, 5512345.5, 0.1)
+        for i in range(3)
+    ]
+    log = log_file(tmp_path, *scans)
+    status, text = convert(log, "--resolution", "0.05")
+    assert status == 0, text
+    with read_scenario(tmp_path / "scenario.log") as scenario:
+        settings = scenario.settings
+        gx, gy = hit_cells(scenario, settings.new_grid())
+    assert min(gx.min(), gy.min()) >= 0
+    assert gx.max() < settings.width
+    assert gy.max() < settings.height
+
+
+def test_draws_the_map(tmp_path: Path) -> None:
+    log = log_file(tmp_path, *5 * [FLASER.format(2, 2, 2, 0, 0, 0)])
+    picture = tmp_path / "map.png"
+    assert convert(log, "--preview", str(picture))[0] == 0
+    with read_scenario(tmp_path / "scenario.log") as scenario:
+        grid = map_scenario(scenario, None)
+    with Image.open(picture) as image:
+        pixels = np.asarray(image)
+    assert (pixels[::-1] == pixel(grid.log_odds)).all()
+    assert len(set(pixels.flat)) > 2
+    wrong = convert(log, "--preview", str(tmp_path / "map.txt"))
+    assert wrong[0] == 2
+    assert "its ending is no kind of picture" in wrong[1]
+    gone = tmp_path / "gone" / "map.png"
+    assert convert(log, "--preview", str(gone))[0] == 1

@@ -350,6 +350,59 @@ def test_without_the_reference_nothing_is_identical(
     )
 
 
+def test_a_reference_that_times_out_costs_its_own_cell(
+    fake_root: Path, fake: Fake
+) -> None:
+    program = fake_root / "python" / "program.py"
+    program.write_text(
+        program.read_text().replace(
+            "for file in files:",
+            "for file in files:\n    if file.stem == 'b': time.sleep(1000)",
+        )
+    )
+    toml = fake_root / "python" / "port.toml"
+    toml.write_text(toml.read_text().replace("timeout = 20", "timeout = 2"))
+    fake("x")
+    fake("y")
+    fake("z", ONE_BIT)
+    record = run_all(fake_root, ["a", "b"])
+    found = {
+        (r.port, r.scenario): (r.status, r.compared_with)
+        for r in record.results
+    }
+    assert found == {
+        ("python", "a"): ("identical", []),
+        ("x", "a"): ("identical", ["python"]),
+        ("y", "a"): ("identical", ["python"]),
+        ("z", "a"): ("identical", ["python"]),
+        ("python", "b"): ("timeout", []),
+        ("x", "b"): ("identical", ["y"]),
+        ("y", "b"): ("identical", ["x"]),
+        ("z", "b"): ("differs", ["x"]),
+    }
+    assert not record.is_identical()
+
+
+def test_golden_results_stand_in_for_the_reference(
+    fake_root: Path, fake: Fake
+) -> None:
+    fake("x")
+    commit_golden(fake_root, run_all(fake_root, ["a"]))
+    program = fake_root / "python" / "program.py"
+    program.write_text(program.read_text() + "\nsys.exit(3)\n")
+    x = results(run_all(fake_root, ["a"]), "x")["a"]
+    assert (x.status, x.compared_with) == ("identical", ["golden"])
+
+
+def test_the_time_limit_of_the_command(fake_root: Path, fake: Fake) -> None:
+    fake("x", "time.sleep(1000)")
+    words = ["run", "--root", str(fake_root), "--scenario", "a"]
+    words += ["--mode", "noise-free", "--timeout", "1.5"]
+    result = CliRunner().invoke(app, words)
+    assert result.exit_code == 1
+    assert "no end after 1.5 s, killed" in result.output
+
+
 def test_a_program_that_takes_one_scenario(
     fake_root: Path, fake: Fake
 ) -> None:

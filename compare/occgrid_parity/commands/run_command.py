@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -75,6 +76,13 @@ def run_command(
     ] = None,
     root: Root = None,
     jobs: Jobs = 2,
+    timeout: Annotated[
+        float | None,
+        typer.Option(
+            min=0.001,
+            help="Seconds for one scenario, in place of each port's own.",
+        ),
+    ] = None,
     build_first: Annotated[
         bool, typer.Option("--build/--no-build", help="Build the ports first.")
     ] = True,
@@ -85,7 +93,8 @@ def run_command(
 ) -> None:
     """Map scenarios with the ports and compare the maps, bit for bit.
 
-    The python port is the reference, and always runs. Ends with 0 if all maps are
+    The python port is the reference, and always runs; where it has no map of a scenario, the others are
+    compared with each other and with the golden result. Ends with 0 if all maps are
     identical, with 1 if one is not, with 2 for wrong usage.
     """
     console = wide_console()
@@ -94,6 +103,8 @@ def run_command(
         chosen = choose_ports(found, ports or [])
         if REFERENCE not in [port.name for port in chosen]:
             chosen = [*choose_ports(found, [REFERENCE]), *chosen]
+        if timeout is not None:
+            chosen = [replace(port, timeout=timeout) for port in chosen]
         folder = (out or found / "build" / "parity").resolve()
         chosen_scenarios = choose_scenarios(found, scenarios or [])
         chosen_modes = list(dict.fromkeys(map(parse_mode, modes or [])))

@@ -10,16 +10,21 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from occgrid.scenario import ScenarioError
 from occgrid_parity.commands.console import print_plain, wrong_usage
 from occgrid_parity.formats.errors import MAX_CELLS
 from occgrid_parity.logs.conversion import ConversionError, Request, Selection
-from occgrid_parity.logs.making import make_scenario
+from occgrid_parity.logs.making import Made, make_scenario
+from occgrid_parity.logs.preview import check_picture_name, draw_preview
 from occgrid_parity.logs.scenario_writing import short
 
 
 def scenario_command(
     log: Annotated[
-        Path, typer.Argument(help="A CARMEN log with recorded scans.")
+        Path,
+        typer.Argument(
+            help="A CARMEN log (.gz, too), or a ROS bag: .bag, .mcap, .db3 or a folder."
+        ),
     ],
     output: Annotated[
         Path,
@@ -29,8 +34,14 @@ def scenario_command(
         str, typer.Option(help="Side of a cell, metres.")
     ] = "0.1",
     max_range: Annotated[
-        str, typer.Option(help="Of the sensor, metres.")
-    ] = "30",
+        str | None,
+        typer.Option(
+            help="Readings from here on are no return, metres. Default: 30, or the bag's own."
+        ),
+    ] = None,
+    min_range: Annotated[
+        str, typer.Option(help="Readings below are dropped, metres.")
+    ] = "0",
     margin: Annotated[
         str, typer.Option(help="Around the hits, metres.")
     ] = "1",
@@ -46,7 +57,24 @@ def scenario_command(
         str | None, typer.Option(help="Largest log-odds.")
     ] = None,
     no_return: Annotated[
-        str | None, typer.Option(help="free or ignore: a beam without return.")
+        str,
+        typer.Option(
+            help="A beam without return: ignore it, or free up to --max-range."
+        ),
+    ] = "ignore",
+    topic: Annotated[
+        str | None,
+        typer.Option(help="Of a bag: the scans. Default: the only ones."),
+    ] = None,
+    frame: Annotated[
+        str | None,
+        typer.Option(
+            help="Of a bag: the frame of the map. Default: map, else odom."
+        ),
+    ] = None,
+    preview: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Draw the map, as .png for one."),
     ] = None,
     scans: Annotated[
         str, typer.Option(metavar="A:B", help="Only scans A to B - 1, from 0.")
@@ -61,7 +89,7 @@ def scenario_command(
         int, typer.Option(min=1, max=MAX_CELLS, help="Refuse a larger grid.")
     ] = MAX_CELLS,
 ) -> None:
-    """Turn a CARMEN log into a scenario: a grid around its scans on top of them."""
+    """Turn a laser log or a ROS bag into a scenario, and say what was seen in it."""
     given = {"p0": p0, "p_occ": p_occ, "p_free": p_free}
     given |= {"l_min": l_min, "l_max": l_max, "no_return": no_return}
     try:
@@ -69,7 +97,10 @@ def scenario_command(
             log=log,
             output=output,
             resolution=_decimal("--resolution", resolution, above_zero=True),
-            max_range=_decimal("--max-range", max_range, above_zero=True),
+            max_range=None
+            if max_range is None
+            else _decimal("--max-range", max_range, above_zero=True),
+            min_range=_decimal("--min-range", min_range, above_zero=False),
             margin=_decimal("--margin", margin, above_zero=False),
             max_cells=max_cells,
             selection=_selection(scans, every),
@@ -77,24 +108,41 @@ def scenario_command(
             parameters={
                 k: _word(k, v) for k, v in given.items() if v is not None
             },
+            topic=topic,
+            frame=frame,
         )
+        if preview is not None:
+            check_picture_name(preview)
     except ValueError as error:
         raise wrong_usage(error) from error
     console = Console(stderr=True)
     try:
-        fitted, kept = make_scenario(request)
-    except ConversionError as error:
+        made = make_scenario(request)
+        _show(console, request, made)
+        if preview is not None:
+            draw_preview(output, preview)
+            print_plain(console, f"{preview}: the map")
+    except (ConversionError, ScenarioError) as error:
         print_plain(console, str(error))
         raise typer.Exit(1) from error
     except OSError as error:
         print_plain(console, f"{error.filename}: {error.strerror}")
         raise typer.Exit(1) from error
+
+
+def _show(console: Console, request: Request, made: Made) -> None:
+    """What was written, what was seen, and what to look at."""
+    fitted = made.fitted
     print_plain(
         console,
-        f"{output}: {kept} scans on {fitted.width} x {fitted.height} cells of "
+        f"{request.output}: {made.scans} scans on {fitted.width} x {fitted.height} cells of "
         f"{short(request.resolution)} m from ({short(fitted.origin_x)}, "
         f"{short(fitted.origin_y)})",
     )
+    for note in made.notes:
+        print_plain(console, note)
+    for warning in made.warnings:
+        print_plain(console, f"warning: {warning}")
 
 
 def _decimal(option: str, text: str, above_zero: bool) -> Decimal:

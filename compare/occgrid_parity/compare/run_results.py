@@ -68,20 +68,55 @@ class _CaseComparison:
         )
         self.reference: MapOutput | None = None
         self.reference_folder: Path | None = None
-        self.no_reference = "it has not run"
-        place = places.get((basis.reference, scenario.name, mode.name))
-        if place is not None:
-            try:
-                self.reference = self.read(place[1])
-                self.reference_folder = place[1].folder
-            except (OutputError, _Failed) as error:
-                self.no_reference = str(error)
+        self.against, self.no_reference = basis.reference, ""
+        self._choose_reference()
         self.golden, self.golden_error = None, ""
         if basis.golden is not None:
             try:
                 self.golden = read_golden(basis.golden, scenario.map, mode)
             except (OutputError, OSError) as error:
                 self.golden_error = f"golden result: {error}"
+
+    def _choose_reference(self) -> None:
+        """The reference port's map; where it has none, that of the first port that has one."""
+        for port in self._ports():
+            try:
+                self.reference = self._map_of(port)
+            except (OutputError, _Failed) as error:
+                if port == self.basis.reference:
+                    self.no_reference = str(error)
+                continue
+            self.against = port
+            place = self.places[(port, self.scenario.name, self.mode.name)]
+            self.reference_folder = place[1].folder
+            return
+
+    def _map_of(self, port: str) -> MapOutput:
+        """That port's map; raises OutputError or _Failed without one."""
+        place = self.places.get((port, self.scenario.name, self.mode.name))
+        if place is None:
+            raise _Failed("it has not run")
+        return self.read(place[1])
+
+    def _partner(self) -> tuple[str, MapOutput] | None:
+        """A port beside the one that stands in for the reference, and its map."""
+        for port in self._ports():
+            if port != self.against:
+                try:
+                    return port, self._map_of(port)
+                except (OutputError, _Failed):
+                    continue
+        return None
+
+    def _ports(self) -> list[str]:
+        """The ports that have run this case, the reference first."""
+        ran = [
+            port
+            for port, scenario, mode in self.places
+            if (scenario, mode) == (self.scenario.name, self.mode.name)
+        ]
+        reference = self.basis.reference
+        return [reference, *(port for port in ran if port != reference)]
 
     def read(self, one: Mapped) -> MapOutput:
         """The map that a process wrote; raises OutputError or _Failed without one.
@@ -126,9 +161,6 @@ class _CaseComparison:
             width=int(width),
             height=int(height),
         )
-        if self.reference is None:
-            reason = f"no map of the reference {self.basis.reference}: {self.no_reference}"
-            return replace(blank, reason=reason)
         if self.golden_error:
             return replace(blank, reason=self.golden_error)
         return self.compared(found, blank)
@@ -138,14 +170,21 @@ class _CaseComparison:
         assert self.reference is not None
         with_what: list[str] = []
         differences: list[Difference] = []
-        if blank.port != self.basis.reference:
-            with_what.append(self.basis.reference)
-            differences += compare_maps(
-                found, self.reference, self.basis.reference
-            )
+        if blank.port != self.against:
+            with_what.append(self.against)
+            differences += compare_maps(found, self.reference, self.against)
+        elif (
+            blank.port != self.basis.reference
+            and (partner := self._partner()) is not None
+        ):
+            with_what.append(partner[0])
+            differences += compare_maps(found, partner[1], partner[0])
         if self.golden is not None:
             with_what.append("golden")
             differences += compare_golden(found, self.golden)
+        if not with_what and blank.port != self.basis.reference:
+            reason = f"no map of the reference {self.basis.reference}: {self.no_reference}"
+            return replace(blank, reason=reason)
         files = dict.fromkeys(f"{d.file} ({d.against})" for d in differences)
         return replace(
             blank,

@@ -1,18 +1,23 @@
-"""Writes a scenario: the parameters on top of the lines of a log."""
+"""Writes a scenario: the parameters on top of scans that are in a file already."""
 
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Iterator
+from contextlib import contextmanager
 from decimal import Decimal
+from pathlib import Path
+from typing import BinaryIO
 
 from occgrid.scenario import ScenarioError, read_scenario
 from occgrid_parity.logs.conversion import ConversionError, Request
 from occgrid_parity.logs.grid_fitting import Fitted
-from occgrid_parity.logs.log_lines import SCAN_KEYWORDS, log_lines
 
 
-def header(request: Request, fitted: Fitted, kept: int, total: int) -> str:
+def header(
+    request: Request, fitted: Fitted, max_range: Decimal, kept: int, total: int
+) -> str:
     """The scenario's first lines."""
     values = {
         "width": str(fitted.width),
@@ -20,9 +25,11 @@ def header(request: Request, fitted: Fitted, kept: int, total: int) -> str:
         "resolution": short(request.resolution),
         "origin_x": short(fitted.origin_x),
         "origin_y": short(fitted.origin_y),
-        "max_range": short(request.max_range),
-        **request.parameters,
+        "max_range": short(max_range),
     }
+    if request.min_range:
+        values["min_range"] = short(request.min_range)
+    values |= request.parameters
     lines = [f"# {ascii(request.log.name)[1:-1]}: {kept} of its {total} scans"]
     lines += [
         f"PARAM occgrid_{name} {value}" for name, value in values.items()
@@ -37,17 +44,29 @@ def short(value: Decimal) -> str:
     return "0" if text == "-0" else text
 
 
-def write_scenario(
-    request: Request, fitted: Fitted, kept: int, total: int
-) -> None:
-    """Writes under another name, has the contract's reader look at it, and renames."""
-    output = request.output
-    part = output.with_name(f".{output.name}.{os.getpid()}.part")
+@contextmanager
+def scan_lines(output: Path) -> Iterator[BinaryIO]:
+    """A file beside the output that takes the scans until the grid is known; it is gone afterwards."""
+    path = _beside(output, "scans")
     try:
+        with path.open("w+b") as file:
+            yield file
+    except OSError as error:
+        if error.filename not in (None, str(path)):
+            raise  # it is not about our file
+        raise _cannot_write(output, error) from error
+    finally:
+        path.unlink(missing_ok=True)
+
+
+def write_scenario(output: Path, head: str, scans: BinaryIO) -> None:
+    """Writes under another name, has the contract's reader look at it, and renames."""
+    part = _beside(output, "part")
+    try:
+        scans.seek(0)
         with part.open("wb") as file:
-            file.write(header(request, fitted, kept, total).encode("ascii"))
-            for raw in _kept_lines(request):
-                file.write(raw if raw.endswith(b"\n") else raw + b"\n")
+            file.write(head.encode("ascii"))
+            shutil.copyfileobj(scans, file, 1 << 20)
         with read_scenario(part):
             pass
         part.replace(output)
@@ -56,18 +75,14 @@ def write_scenario(
             f"{output}:{error.line}: {error.reason}"
         ) from error
     except OSError as error:
-        reason = f"{output}: cannot be written: {error.strerror}"
-        raise ConversionError(reason) from error
+        raise _cannot_write(output, error) from error
     finally:
         part.unlink(missing_ok=True)
 
 
-def _kept_lines(request: Request) -> Iterator[bytes]:
-    number = 0
-    for keyword, raw in log_lines(request):
-        if keyword in SCAN_KEYWORDS:
-            if request.selection.holds(number):
-                yield raw
-            number += 1
-        elif request.all_lines:
-            yield raw
+def _beside(output: Path, kind: str) -> Path:
+    return output.with_name(f".{output.name}.{os.getpid()}.{kind}")
+
+
+def _cannot_write(output: Path, error: OSError) -> ConversionError:
+    return ConversionError(f"{output}: cannot be written: {error.strerror}")
