@@ -131,9 +131,7 @@ def test_has_the_module(folder: Path, module: str) -> None:
 @pytest.mark.parametrize(
     "folder", ROOT_FOLDERS, ids=lambda folder: folder.name
 )
-def test_has_the_modules_snippets_in_order(
-    folder: Path, module: str
-) -> None:
+def test_has_the_modules_snippets_in_order(folder: Path, module: str) -> None:
     """Where a module has several files, each has its own in order, and none twice."""
     expected = SNIPPETS.get(module, [])
     found: list[str] = []

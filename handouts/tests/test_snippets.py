@@ -61,5 +61,7 @@ def test_missing_and_unknown_snippets_are_refused() -> None:
 def test_names_are_those_of_the_ports() -> None:
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     table = text.split("## Snippets")[1].split("## ")[0]
-    listed = re.findall(r"`([a-z-]+)`", table.split("| module | snippets |")[1])
+    listed = re.findall(
+        r"`([a-z-]+)`", table.split("| module | snippets |")[1]
+    )
     assert list(NAMES) == [n for n in listed if n != "portable_math"]
