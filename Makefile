@@ -1,4 +1,4 @@
-# Occupancy grid mapping in five languages.
+# Occupancy grid mapping in six languages.
 #
 #   make all     sets up what is missing, builds every port, maps every scenario with all of them and compares
 #   make test    every test there is
@@ -10,10 +10,10 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 
 JOBS ?= 2
-PORTS := python cpp java matlab mathematica
-PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica bench
+PORTS := python cpp java matlab mathematica web
+PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica mathics web bench
 # These need the ports as they are built by then.
-LAST_PARTS := compare handouts
+LAST_PARTS := compare handouts web-pages
 ALL_PARTS := $(PARTS) $(LAST_PARTS)
 BIN := .venv/bin
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
@@ -29,13 +29,15 @@ clang-format = find cpp/src cpp/tests bench -name "*.[ch]pp" -exec clang-format 
 SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 # A test's file goes to one worker as a whole: its tests share maps.
 WORKERS := -n $(JOBS) --dist loadfile
+CPP_TESTS := cmake -S cpp -B cpp/build-tests -DOCCGRID_BUILD_TESTS=ON; cmake --build cpp/build-tests --parallel 2
+WEB_PAGES := (cd web && npm ci --silent && node build.mjs ../build/handouts)
+CTEST := --output-on-failure --no-tests=error
 MVN := mvn -B -ntp -Dstyle.color=never
 JDK := openjdk-17-jdk-headless
 # The MATLAB sources are held to a style where there is one.
 MH_STYLE := $(if $(wildcard matlab/miss_hit.cfg),; mh_style --single matlab)
 # The Wolfram tests run on a Wolfram kernel where there is one, else on woxi.
 WOLFRAM := $(if $(shell command -v wolframscript),wolframscript,woxi)
-WOLFRAM_RUN := $(if $(filter wolframscript,$(WOLFRAM)),wolframscript -file,woxi run)
 
 ##@ Everything
 
@@ -54,6 +56,12 @@ test: setup  ## The tests of everything; ends with a table of what passed
 test-long: setup  ## What rarely fails and takes long: other compilers and flags, long random campaigns
 	$(BIN)/occgrid-parity build --jobs $(JOBS)
 	$(BIN)/pytest $(WORKERS) -m long compare/
+	$(CPP_TESTS)
+	ctest --test-dir cpp/build-tests -R build_flags $(CTEST)
+
+.PHONY: same-bits
+same-bits:  ## The C++ port on six other kinds of processor, emulated by qemu
+	python3 cpp/tests/same_bits.py --install
 
 .PHONY: setup setup-run
 setup:  ## Install what is missing: Debian's packages, Python's in .venv
@@ -76,6 +84,7 @@ $(ALL_PARTS:%=test-%): test-%: setup  ## Its tests; also test-lint, test-compare
 .PHONY: handouts
 handouts: setup  ## Students' and instructors' handouts in build/handouts; PARTIAL=1 goes on where a part cannot be made
 	$(BIN)/occgrid-parity build --jobs $(JOBS) --allow-skipped
+	$(WEB_PAGES)
 	$(BIN)/python handouts/build.py --out build/handouts $(if $(PARTIAL),--partial)
 
 ##@ Speed
@@ -105,7 +114,7 @@ lock:  ## Write constraints.txt anew, with the newest versions that fit
 
 .PHONY: clean
 clean:  ## Remove what was built; .venv stays
-	rm -rf build dist cpp/build* java/target .mypy_cache .pytest_cache .ruff_cache
+	rm -rf build dist cpp/build* java/target web/node_modules .mypy_cache .pytest_cache .ruff_cache
 	find python compare handouts bench scripts -name __pycache__ -prune -exec rm -rf {} +
 
 .PHONY: help
@@ -127,8 +136,7 @@ run-test-python:
 	@scripts/part python 'pytest' 'pytest python/tests'
 
 run-test-cpp:
-	@scripts/part cpp 'g++ cmake' 'occgrid-parity build cpp; \
-	    ctest --test-dir cpp/build --output-on-failure --no-tests=error'
+	@scripts/part cpp 'g++ cmake' '$(CPP_TESTS); ctest --test-dir cpp/build-tests -E build_flags $(CTEST)'
 
 run-test-cpp-format:
 	@scripts/part cpp-format 'clang-format' '$(call clang-format,--dry-run -Werror)'
@@ -144,7 +152,17 @@ run-test-matlab-lint:
 	@scripts/part matlab-lint 'mh_lint=miss_hit' 'mh_lint --single matlab$(MH_STYLE)'
 
 run-test-mathematica:
-	@scripts/part mathematica '$(WOLFRAM)' 'occgrid-parity build mathematica; $(WOLFRAM_RUN) mathematica/tests/run_tests.wls'
+	@scripts/part mathematica '$(WOLFRAM)' 'occgrid-parity build mathematica; sh mathematica/wolfram.sh mathematica/tests/run_tests.wls; \
+	    sh mathematica/tests/command.sh; sh mathematica/tests/readme.sh'
+
+run-test-mathics:
+	@scripts/part mathics 'python3' 'sh mathematica/tests/run_mathics.sh'
+
+run-test-web:
+	@scripts/part web 'node=nodejs npm' 'cd web; npm ci --silent; npm run --silent types; npm run --silent lint; npm test'
+
+run-test-web-pages:
+	@scripts/part web-pages 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini web/tests'
 
 run-test-bench:
 	@scripts/part bench 'pytest' 'pytest bench/tests'

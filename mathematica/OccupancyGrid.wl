@@ -35,8 +35,9 @@ If[packageFolders === {},
   Message[OccupancyGrid::folder];
   Exit[1]];
 
+moduleFolder = FileNameJoin[{First[packageFolders], "OccupancyGrid"}];
 Scan[
-  Get[FileNameJoin[{First[packageFolders], "OccupancyGrid", # <> ".wl"}]] &,
+  Get[FileNameJoin[{moduleFolder, # <> ".wl"}]] &,
   {"Usage", "Arguments", "PortableMath", "Noise", "Grid", "Ray", "World",
     "Sensor", "Scenario", "Lesson", "Mapper", "Fast", "MapWriter", "MapFiles",
     "Picture", "Main"}];

@@ -153,15 +153,18 @@ class RandomScenario:
         if self.kind == "least range":
             return {"min_range": repr(self.min_range)}
         if self.kind == "limits":
+            sides = ["0.9999999999999999", "1e-300"]
+            p_occ, p_free = source.sample(sides, 2)
             return {
-                "p_occ": source.choice(["0.9999999999999999", "1e-300"]),
-                "p_free": source.choice(["0.9999999999999999", "1e-300"]),
+                "p_occ": p_occ,
+                "p_free": p_free,
                 "l_min": source.choice(["-1000", "-1e3"]),
                 "l_max": "1000",
                 "fov": source.choice(["0", "6.283185307179586"]),
                 "beams": source.choice(["1", "2"]),
                 "noise_std": source.choice(["0", "1000", "1e-299"]),
                 "min_range": "0",
+                "no_return": "free",
             }
         return {}
 
@@ -178,6 +181,10 @@ class RandomScenario:
         if self.kind == "cell edges" and self.source.random() < 0.8:
             at = self.source.randint(-2, cells + 2)
             return self.source.choice(beside(origin + at * self.resolution))
+        if self.kind == "limits":  # few scans: each in the grid
+            return number(
+                self.source, origin, origin + cells * self.resolution
+            )
         low = max(origin - 0.2 * self.extent, -FARTHEST)
         high = min(origin + 1.2 * self.extent, FARTHEST)
         return number(self.source, low, high)

@@ -20,7 +20,7 @@ from occgrid_parity.suite.scenarios import scenario_from
 from .conftest import JOBS, PORTS
 from .random_scenarios import KINDS, kind_of, scenario_text
 
-COUNT = 8 * len(KINDS)
+COUNT = 6 * len(KINDS)
 MODE = Mode(4294967295)
 
 

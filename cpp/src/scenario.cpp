@@ -80,28 +80,43 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using Fields = std::vector<std::string_view>;
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
 bool is_word(char c) {
   return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
          c == '_';
-}
-bool is_plain(char c) {
-  return (c >= 0x20 && c <= 0x7e) || c == '\t';
 }
 
 bool starts_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
 
-void split(std::string_view line, Fields& fields) {
+enum : unsigned char { plain = 0, blank = 1, not_plain = 2 };
+
+/// What each byte is in a line.
+constexpr std::array<unsigned char, 256> kinds_of_bytes() {
+  std::array<unsigned char, 256> kinds{};
+  for (unsigned c = 0; c < 256; ++c) {
+    kinds[c] = c >= 0x20 && c <= 0x7e ? plain : not_plain;
+  }
+  kinds[' '] = kinds['\t'] = blank;
+  return kinds;
+}
+constexpr std::array<unsigned char, 256> kinds = kinds_of_bytes();
+
+/// The fields of a line. Returns whether all of it is plain ASCII.
+bool split(std::string_view line, Fields& fields) {
+  const auto kind = [](const char* at) {
+    return kinds[static_cast<unsigned char>(*at)];
+  };
   fields.clear();
-  for (std::size_t i = 0; i < line.size();) {
-    while (i < line.size() && is_blank(line[i])) ++i;
-    const std::size_t start = i;
-    while (i < line.size() && !is_blank(line[i])) ++i;
-    if (i > start) fields.push_back(line.substr(start, i - start));
+  unsigned seen = plain;
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  while (true) {
+    while (at != end && kind(at) == blank) ++at;
+    if (at == end) return (seen & not_plain) == 0;
+    const char* const start = at;
+    for (; at != end && kind(at) != blank; ++at) seen |= kind(at);
+    fields.emplace_back(start, static_cast<std::size_t>(at - start));
   }
 }
 
@@ -181,11 +196,9 @@ class Reader {
     for (std::string_view text; lines_.next(text);) {
       ++line_;
       if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-      split(text, fields_);
+      const bool all_plain = split(text, fields_);
       if (fields_.empty() || fields_[0][0] == '#') continue;
-      if (!std::all_of(text.begin(), text.end(), is_plain)) {
-        fail("not plain ASCII text");
-      }
+      if (!all_plain) fail("not plain ASCII text");
       const bool plain_word =
           std::all_of(fields_[0].begin(), fields_[0].end(), is_word);
       if (!plain_word || is_digit(fields_[0][0])) {

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 class Function:
     """A function to be written, by its name in snake case.
 
-    ``snippet`` is where it stands. ``vectors`` says whether the shared vectors have cases of it. A language may lack it.
+    ``snippet`` is where it stands. ``vectors`` says whether the shared vectors have cases of it. A language may lack
+    it.
     """
 
     name: str

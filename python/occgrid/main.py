@@ -8,10 +8,11 @@ import signal
 import sys
 import threading
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
+from typing import TextIO
 
 import numpy as np
 
@@ -227,18 +228,27 @@ def _print(pieces: Iterable[str]) -> None:
         output.writelines(piece.encode("ascii") for piece in pieces)
         output.flush()
     except OSError:
-        # what is left in the buffer would be tried again, and end the program with another status
-        with Path(os.devnull).open("w") as nowhere:
-            os.dup2(nowhere.fileno(), sys.stdout.fileno())
+        _give_up(sys.stdout)
         raise
 
 
 def _print_error(text: str) -> None:
     """Write to standard error, the bytes of file names as the system gave them."""
     if sys.stderr is not None:
-        with suppress(OSError):
+        try:
             sys.stderr.buffer.write(os.fsencode(text))
             sys.stderr.flush()
+        except OSError:
+            _give_up(sys.stderr)
+
+
+def _give_up(stream: TextIO) -> None:
+    """Lead a stream that cannot be written to nowhere.
+
+    Python would try again at its end to write what is left in the buffer, and end with another status.
+    """
+    with Path(os.devnull).open("w") as nowhere:
+        os.dup2(nowhere.fileno(), stream.fileno())
 
 
 @contextmanager

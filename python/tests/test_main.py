@@ -252,13 +252,20 @@ def test_a_picture_on_a_full_disk(
 # --- The program as a process ---
 
 
+# Python's own buffers are part of what is tested.
+ENVIRONMENT = {
+    name: value
+    for name, value in os.environ.items()
+    if name != "PYTHONUNBUFFERED"
+}
+
+
 def run(
     *arguments: str | bytes, **more: Any
 ) -> subprocess.CompletedProcess[bytes]:
     command = [sys.executable, "-m", "occgrid", *arguments]
-    return subprocess.run(
-        command, check=False, **{"capture_output": True, **more}
-    )
+    settings = {"capture_output": True, "env": ENVIRONMENT, **more}
+    return subprocess.run(command, check=False, **settings)
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="a device of Linux")
@@ -291,7 +298,10 @@ def test_standard_error_on_a_full_disk() -> None:
 def test_a_closed_pipe(closing: str) -> None:
     command = f'({sys.executable} -m occgrid; echo "$?" >&2) {closing}'
     ended = subprocess.run(
-        ["sh", "-c", command], capture_output=True, check=False
+        ["sh", "-c", command],
+        capture_output=True,
+        check=False,
+        env=ENVIRONMENT,
     )
     assert ended.stderr == b"standard output: cannot be written\n1\n"
 
@@ -302,12 +312,12 @@ def test_a_closed_pipe(closing: str) -> None:
 )
 def test_names_that_are_not_utf_8(tmp_path: Path) -> None:
     file = os.fsencode(tmp_path) + b"/\xfc\n.log"
-    ended = run(file, env={**os.environ, "LC_ALL": "C"})
+    ended = run(file, env={**ENVIRONMENT, "LC_ALL": "C"})
     shown = file.replace(b"\n", b"?")
     assert ended.stderr == shown + b":0: cannot be read\n"
     Path(os.fsdecode(file)).write_bytes(Path(ONE_BEAM).read_bytes())
     out = os.fsencode(tmp_path) + b"/maps\xfc"
-    ended = run(file, b"--out", out, env={**os.environ, "LC_ALL": "C"})
+    ended = run(file, b"--out", out, env={**ENVIRONMENT, "LC_ALL": "C"})
     assert (ended.returncode, ended.stderr) == (0, b"")
     written = Path(os.fsdecode(out))
     assert sorted(os.fsencode(file.name) for file in written.iterdir()) == [
@@ -317,45 +327,61 @@ def test_names_that_are_not_utf_8(tmp_path: Path) -> None:
     assert yaml.startswith(b'image: "\xfc\\x0A.pgm"\n')
 
 
+def start_writing(
+    folder: Path, out: Path, **more: Any
+) -> subprocess.Popen[bytes]:
+    """A run that is in the midst of writing a map of 2 million cells."""
+    scenario = folder / "wide.log"
+    text = Path(ONE_BEAM).read_text()
+    text = text.replace("occgrid_width 8", "occgrid_width 2000")
+    text = text.replace("occgrid_height 5", "occgrid_height 1000")
+    scenario.write_text(text)
+    arguments = ["-m", "occgrid", "--out", str(out), str(scenario)]
+    process = subprocess.Popen(
+        [sys.executable, *arguments], stderr=subprocess.PIPE, **more
+    )
+    deadline = time.monotonic() + 60
+    while not list(out.glob(".occgrid-*.part")):
+        assert process.poll() is None and time.monotonic() < deadline
+        time.sleep(0.005)
+    return process
+
+
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_leaves_no_temporary_file(
     tmp_path: Path, number: signal.Signals
 ) -> None:
-    """The run ends in the midst of writing a map of 2 million cells, by the signal."""
-    scenario = tmp_path / "wide.log"
-    text = Path(ONE_BEAM).read_text()
-    text = text.replace("occgrid_width 8", "occgrid_width 2000")
-    scenario.write_text(
-        text.replace("occgrid_height 5", "occgrid_height 1000")
-    )
+    """The run ends by the signal."""
     out = tmp_path / "maps"
-    command = [
-        sys.executable,
-        "-m",
-        "occgrid",
-        "--out",
-        str(out),
-        str(scenario),
-    ]
-    with subprocess.Popen(command, stderr=subprocess.PIPE) as process:
-        deadline = time.monotonic() + 60
-        while not list(out.glob(".occgrid-*.part")):
-            assert process.poll() is None and time.monotonic() < deadline
-            time.sleep(0.005)
+    with start_writing(tmp_path, out) as process:
         process.send_signal(number)
         _, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (-number, b"")
     assert not list(out.iterdir())
 
 
-def test_an_ignored_signal_stays_ignored(tmp_path: Path) -> None:
-    """As nohup and shells want it; and main leaves the handlers as they were."""
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+@pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_an_ignored_signal_stays_ignored(
+    tmp_path: Path, number: signal.Signals
+) -> None:
+    """As a shell has it for what runs in the background: the map is written."""
+    out = tmp_path / "maps"
+    before = signal.signal(number, signal.SIG_IGN)
     try:
-        assert main(["--out", str(tmp_path), ONE_BEAM]) == 0
-        assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+        process = start_writing(tmp_path, out)
     finally:
-        signal.signal(signal.SIGINT, before)
+        signal.signal(number, before)
+    with process:
+        process.send_signal(number)
+        _, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, b"")
+    assert len(list(out.iterdir())) == 3
+
+
+def test_main_leaves_the_handlers_as_they_were(tmp_path: Path) -> None:
+    before = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
     assert main(["--out", str(tmp_path), ONE_BEAM]) == 0
-    assert signal.getsignal(signal.SIGINT) is before
+    after = signal.getsignal(signal.SIGINT), signal.getsignal(signal.SIGTERM)
+    assert after == before

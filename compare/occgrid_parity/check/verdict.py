@@ -5,12 +5,11 @@ Doubles stand as the texts of their ``repr`` and of their bits (see occgrid_pari
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field
 from typing import Literal
 
 from occgrid_parity.explain.findings import Cause, FirstDifference
-from occgrid_parity.formats.json_records import from_plain, json_text
+from occgrid_parity.formats.json_records import json_text, record_from_json
 
 SCHEMA = 1
 
@@ -94,14 +93,4 @@ def to_json(verdict: Verdict) -> str:
 
 def from_json(text: str) -> Verdict:
     """The verdict in JSON text. Raises ValueError where it is of another schema."""
-    data = json.loads(text)
-    if not isinstance(data, dict) or data.get("schema") != SCHEMA:
-        raise ValueError(f"not a verdict of schema {SCHEMA}")
-    try:
-        verdict = from_plain(Verdict, data)
-    except (KeyError, TypeError) as error:
-        raise ValueError(
-            f"not a verdict of schema {SCHEMA}: {error}"
-        ) from error
-    assert isinstance(verdict, Verdict)
-    return verdict
+    return record_from_json(Verdict, SCHEMA, text)

@@ -7,13 +7,12 @@ reader of the JSON can round them.
 
 from __future__ import annotations
 
-import json
 import typing
 from dataclasses import dataclass, field
 from typing import Literal
 
 from occgrid_parity.compare.cell_values import CellValue
-from occgrid_parity.formats.json_records import from_plain, json_text
+from occgrid_parity.formats.json_records import json_text, record_from_json
 
 SCHEMA = 1
 RECORD_FILE = "run.json"
@@ -166,15 +165,4 @@ def to_json(record: RunRecord) -> str:
 
 def from_json(text: str) -> RunRecord:
     """The record in JSON text. Raises ValueError where it is of another schema."""
-    data = json.loads(text)
-    if not isinstance(data, dict) or data.get("schema") != SCHEMA:
-        found = data.get("schema") if isinstance(data, dict) else None
-        raise ValueError(f"a record of schema {found!r}, expected {SCHEMA}")
-    try:
-        record = from_plain(RunRecord, data)
-    except (KeyError, TypeError) as error:
-        raise ValueError(
-            f"not a record of schema {SCHEMA}: {error}"
-        ) from error
-    assert isinstance(record, RunRecord)
-    return record
+    return record_from_json(RunRecord, SCHEMA, text)

@@ -2,31 +2,30 @@
 
 from __future__ import annotations
 
-import dataclasses
-import json
-import types
-import typing
-from typing import Any
+from typing import TypeVar
+
+import msgspec
+
+T = TypeVar("T")
 
 
-def json_text(record: Any) -> str:
+def json_text(record: object) -> str:
     """A record as JSON text."""
-    return json.dumps(dataclasses.asdict(record), indent=1) + "\n"
+    encoded = msgspec.json.encode(record)
+    return msgspec.json.format(encoded, indent=1).decode() + "\n"
 
 
-def from_plain(kind: Any, data: Any) -> Any:
-    """Plain JSON data as a value of the annotated type."""
-    if dataclasses.is_dataclass(kind) and isinstance(kind, type):
-        hints = typing.get_type_hints(kind)
-        return kind(
-            **{
-                key: from_plain(hints[key], value)
-                for key, value in data.items()
-            }
-        )
-    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
-    if origin is list:
-        return [from_plain(arguments[0], item) for item in data]
-    if origin is types.UnionType and data is not None:
-        return from_plain(arguments[0], data)
-    return data
+def record_from_json(kind: type[T], schema: int, text: str) -> T:
+    """The record in JSON text. Raises ValueError where it is of another schema or not of that kind."""
+    try:
+        data = msgspec.json.decode(text)
+        found = data.get("schema") if isinstance(data, dict) else None
+        if found != schema:
+            raise ValueError(
+                f"a record of schema {found!r}, expected {schema}"
+            )
+        return msgspec.convert(data, kind)
+    except msgspec.MsgspecError as error:
+        raise ValueError(
+            f"not a record of schema {schema}: {error}"
+        ) from error

@@ -9,7 +9,24 @@ from pathlib import Path
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.process_group import run_process
 
-FUNCTIONS = ("sin", "cos", "exp", "log", "philox", "bresenham")
+FUNCTIONS = (
+    "sin",
+    "cos",
+    "exp",
+    "log",
+    "philox",
+    "normal_deviate",
+    "logit",
+    "sigmoid",
+    "world_to_grid",
+    "update_cell",
+    "bresenham",
+    "clip_ray",
+    "flaser_angles",
+    "read_ranges",
+    "beam_endpoints",
+    "pixel",
+)
 
 
 class ProbeError(ValueError):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from xml.etree import ElementTree
+from junitparser import Error, Failure, JUnitXml, Skipped, TestCase, TestSuite
 
 from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.verdict_text import verdict_text
@@ -10,107 +10,65 @@ from occgrid_parity.compare.run_record import Result, RunRecord
 from occgrid_parity.report.run_table import explain_result
 
 UNCHECKED = ("not checked", "not reached")
+KINDS = {"differs": Failure, "skipped": Skipped, "left out": Skipped}
 
 
 def junit_xml(record: RunRecord) -> str:
     """One test suite per port, one test case per scenario and mode."""
-    root = ElementTree.Element(
-        "testsuites", {"name": "occgrid-parity", **_counts(record.results)}
-    )
+    suites = []
     for port in record.ports:
-        results = [r for r in record.results if r.port == port.name]
-        seconds = sum(
-            p.seconds for p in record.processes if p.port == port.name
+        suite = TestSuite(port.name)
+        suite.timestamp = record.started
+        for result in record.results:
+            if result.port == port.name:
+                suite.add_testcase(_case(result))
+        # of the processes, not of the cases: one process maps several scenarios
+        suite.time = round(
+            sum(p.seconds for p in record.processes if p.port == port.name), 3
         )
-        suite = ElementTree.SubElement(
-            root,
-            "testsuite",
-            {
-                "name": port.name,
-                "timestamp": record.started,
-                "time": f"{seconds:.3f}",
-                **_counts(results),
-            },
-        )
-        for result in results:
-            _case(suite, result)
-    return _text(root)
+        suites.append(suite)
+    return _text("occgrid-parity", suites)
 
 
 def verdict_junit_xml(verdict: Verdict) -> str:
     """One test suite, one test case per level; the whole verdict where one failed."""
-    levels = verdict.levels
-    counts = {
-        "tests": str(len(levels)),
-        "failures": str(sum(x.status == "failed" for x in levels)),
-        "errors": "0",
-        "skipped": str(sum(x.status in UNCHECKED for x in levels)),
-    }
-    root = ElementTree.Element(
-        "testsuites", {"name": "occgrid-parity check", **counts}
-    )
-    seconds = f"{verdict.seconds:.3f}"
-    suite = ElementTree.SubElement(
-        root, "testsuite", {"name": verdict.program, "time": seconds, **counts}
-    )
-    for level in levels:
-        _level(suite, verdict, level)
-    return _text(root)
+    suite = TestSuite(_xml_text(verdict.program))
+    for level in verdict.levels:
+        suite.add_testcase(_level(verdict, level))
+    suite.time = round(verdict.seconds, 3)
+    return _text("occgrid-parity check", [suite])
 
 
-def _level(suite: ElementTree.Element, verdict: Verdict, level: Level) -> None:
-    case = ElementTree.SubElement(
-        suite, "testcase", classname=verdict.program, name=level.title
-    )
+def _case(result: Result) -> TestCase:
+    case = TestCase(f"{result.scenario}, {result.mode}", result.port)
+    if result.status != "identical":
+        kind = KINDS.get(result.status, Error)
+        outcome = kind(_xml_text(result.reason), result.status)
+        outcome.text = _xml_text("\n".join(explain_result(result)))
+        case.result = [outcome]
+    return case
+
+
+def _level(verdict: Verdict, level: Level) -> TestCase:
+    case = TestCase(level.title, _xml_text(verdict.program))
     if level.status == "failed":
-        said = ElementTree.SubElement(
-            case,
-            "failure",
-            message=_xml_text(level.message),
-            type=level.word or "failed",
-        )
-        said.text = _xml_text(verdict_text(verdict))
+        outcome = Failure(_xml_text(level.message), level.word or "failed")
+        outcome.text = _xml_text(verdict_text(verdict))
+        case.result = [outcome]
     elif level.status in UNCHECKED:
-        ElementTree.SubElement(case, "skipped", message=level.status)
+        case.result = [Skipped(level.status)]
+    return case
 
 
-def _text(root: ElementTree.Element) -> str:
-    ElementTree.indent(root)
-    text = ElementTree.tostring(root, encoding="unicode", xml_declaration=True)
-    return text + "\n"
-
-
-def _counts(results: list[Result]) -> dict[str, str]:
-    def count(*statuses: str) -> str:
-        return str(sum(result.status in statuses for result in results))
-
-    return {
-        "tests": str(len(results)),
-        "failures": count("differs"),
-        "errors": count("error", "timeout"),
-        "skipped": count("skipped", "left out"),
-    }
-
-
-def _case(suite: ElementTree.Element, result: Result) -> None:
-    case = ElementTree.SubElement(
-        suite,
-        "testcase",
-        classname=result.port,
-        name=f"{result.scenario}, {result.mode}",
-    )
-    if result.status == "identical":
-        return
-    tags = {
-        "differs": "failure",
-        "skipped": "skipped",
-        "left out": "skipped",
-    }
-    tag = tags.get(result.status, "error")
-    said = ElementTree.SubElement(
-        case, tag, message=_xml_text(result.reason), type=result.status
-    )
-    said.text = _xml_text("\n".join(explain_result(result)))
+def _text(name: str, suites: list[TestSuite]) -> str:
+    xml = JUnitXml(name)
+    for suite in suites:
+        time = suite.time
+        suite.update_statistics()  # type: ignore[no-untyped-call]
+        suite.time = time
+        xml.add_testsuite(suite)
+    xml.update_statistics()  # type: ignore[no-untyped-call]
+    return str(xml.tostring().decode()) + "\n"  # type: ignore[no-untyped-call]
 
 
 def _xml_text(text: str) -> str:

@@ -1,2 +1,2 @@
-grid = MapScenario[LessonScenario[], None];
+grid = MapScenarioFast[LessonScenario[], None];
 ArrayPlot[Reverse[ProbabilityGrid[grid]], ColorFunction -> "GrayTones"]

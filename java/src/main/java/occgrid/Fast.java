@@ -91,7 +91,7 @@ public final class Fast {
      * @param scans the scans, in order
      * @param zMax the sensor's maximum range, metres
      * @param noReturn what a beam without return means
-     * @throws IllegalArgumentException if a beam has more than 2^20 cells
+     * @throws IllegalArgumentException if a beam has more than 2^20 steps
      */
     public static void updateGridFromScans(OccupancyGrid grid,
             Iterable<Scan> scans, double zMax, NoReturn noReturn) {

@@ -147,7 +147,7 @@ public final class Sensor {
      * @param scan the scan
      * @param zMax the sensor's maximum range, metres
      * @param noReturn what a beam without return means
-     * @throws IllegalArgumentException if a beam has more than 2^20 cells
+     * @throws IllegalArgumentException if a beam has more than 2^20 steps
      */
     public static void updateGridFromScan(OccupancyGrid grid, Scan scan,
             double zMax, NoReturn noReturn) {

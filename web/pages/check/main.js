@@ -1,0 +1,211 @@
+/** check.html: a map from a file, held against the right one. */
+
+import offered from "scenarios:offered";
+import { memorySource } from "../../src/lines.js";
+import { readScenario } from "../../src/scenario.js";
+import { cellsOf } from "../model/compareMaps.js";
+import { FileError, readMapFile } from "../model/readFiles.js";
+import {
+  button,
+  byId,
+  element,
+  input,
+  make,
+  onceAFrame,
+  plural,
+  save,
+  setText,
+  takeFiles,
+} from "../shared/dom.js";
+import { GridCanvas } from "../shared/gridCanvas.js";
+import { judge } from "./verdict.js";
+
+/** @typedef {import("./verdict.js").Verdict} Verdict */
+/** @typedef {import("../model/compareMaps.js").Found} Found */
+/** @typedef {{gx: number, gy: number}} Cell */
+
+const choice = byId("scenario", HTMLSelectElement);
+choice.append(
+  ...Object.keys(offered).map((name) =>
+    make("option", { value: name }, name === "lesson" ? "the lesson" : name),
+  ),
+);
+
+/** What was checked last. @type {{found: Found, verdict: Verdict, at: Cell | null} | null} */
+let shownNow = null;
+/** @type {{name: string, bytes: Uint8Array} | null} */
+let file = null;
+let run = 0;
+
+function world() {
+  const source = memorySource(`${choice.value}.log`, offered[choice.value]);
+  const scenario = readScenario(source);
+  const scans = Array.from(scenario.scans());
+  return { settings: scenario.settings, walls: scenario.walls, scans };
+}
+
+/** @returns {number | null} */
+function seed() {
+  return input("noise-free").checked
+    ? null
+    : input("seed").valueAsNumber >>> 0;
+}
+
+/** @param {"good" | "note" | "bad"} tone @param {string[]} words @param {string} status */
+function say(tone, words, status = "working") {
+  const verdict = element("verdict");
+  verdict.dataset.status = status;
+  verdict.className = `verdict ${tone}`;
+  verdict.replaceChildren(...words.map((text) => make("p", {}, text)));
+}
+
+async function check() {
+  const mine = ++run;
+  if (file === null) return;
+  say("note", ["Reading …"]);
+  element("result").hidden = false;
+  element("figures").hidden = true;
+  shownNow = null;
+  let found;
+  try {
+    found = readMapFile(file.bytes);
+  } catch (error) {
+    if (!(error instanceof FileError)) throw error;
+    say("bad", ["cannot be read", error.message], "unreadable");
+    return;
+  }
+  const verdict = await judge(found, world(), seed(), (words) => {
+    if (mine === run) say("note", [words]);
+  });
+  if (mine !== run) return; // another file or scenario by now
+  say(verdict.tone, verdict.words, verdict.status);
+  const sameSize =
+    verdict.status !== "size" &&
+    cellsOf(found).values.length === verdict.reference.pixels.length;
+  shownNow = { found, verdict, at: null };
+  element("figures").hidden = !sameSize || verdict.wrong.length === 0;
+  if (verdict.wrong.length > 0) step(1);
+  draw();
+}
+
+// --- the pictures ---
+
+const draw = onceAFrame(() => {
+  if (shownNow === null || element("figures").hidden) return;
+  const { found, verdict, at } = shownNow;
+  const { reference, wrong } = verdict;
+  const { width, height } = reference;
+  const { values } = cellsOf(found);
+  const differs = new Uint8Array(width * height);
+  for (const cell of wrong) differs[cell] = 1;
+  const coloured = input("colour").checked;
+  for (const [view, level] of /** @type {const} */ ([
+    [foundView, (/** @type {number} */ i) => levelOf(found, values, i)],
+    [rightView, (/** @type {number} */ i) => reference.pixels[i]],
+  ])) {
+    view.begin(reference);
+    view.paintCells((image) => {
+      for (let i = 0; i < differs.length; i++) {
+        const out =
+          4 * ((height - 1 - Math.floor(i / width)) * width + (i % width));
+        const grey = level(i);
+        const mark = coloured && differs[i];
+        image[out] = mark ? 0.25 * grey + 0.75 * 214 : grey;
+        image[out + 1] = mark ? 0.25 * grey + 0.75 * 48 : grey;
+        image[out + 2] = mark ? 0.25 * grey + 0.75 * 120 : grey;
+        image[out + 3] = 255;
+      }
+    });
+    if (at) view.frame(at, "#6d28d9");
+  }
+  setText(element("readout"), readOut());
+});
+
+/** @param {Found} found @param {ArrayLike<number>} values @param {number} i */
+function levelOf(found, values, i) {
+  if ("picture" in found) return values[i];
+  return 255 - 255 / (1 + Math.E ** -values[i]); // to look at
+}
+
+function readOut() {
+  if (shownNow === null) return "";
+  const { found, verdict, at } = shownNow;
+  const { reference, wrong } = verdict;
+  if (at === null) return plural(wrong.length, "cell differs", "cells differ");
+  const i = at.gy * reference.width + at.gx;
+  const { values, expected } = cellsOf(found);
+  const kind = "picture" in found ? "pixel" : "log-odds";
+  const right = expected(reference)[i];
+  const [first, last] = [reference.firstTouch[i], reference.lastTouch[i]];
+  let touched = `Scans ${first} to ${last} touch it.`;
+  if (first === last) touched = `Scan ${first} touches it.`;
+  if (first === 0) touched = "No scan touches it.";
+  return `cell gx=${at.gx} gy=${at.gy}: your ${kind} is ${values[i]}, the right one ${right}${values[i] === right ? ", the same" : ""}. ${touched}`;
+}
+
+/** @param {1 | -1} by */
+function step(by) {
+  if (shownNow === null || shownNow.verdict.wrong.length === 0) return;
+  const { verdict, at } = shownNow;
+  const { wrong, reference } = verdict;
+  const now = at ? at.gy * reference.width + at.gx : by > 0 ? -1 : Infinity;
+  const left = wrong.filter((cell) => (by > 0 ? cell > now : cell < now));
+  const turn = left.length > 0 ? left : wrong; // round to the other end
+  const next = by > 0 ? turn[0] : turn[turn.length - 1];
+  point({
+    gx: next % reference.width,
+    gy: Math.floor(next / reference.width),
+  });
+}
+
+/** @param {Cell | null} cell */
+function point(cell) {
+  if (shownNow) shownNow.at = cell;
+  draw();
+}
+
+/** @param {string} id */
+function viewOf(id) {
+  const canvas = byId(id, HTMLCanvasElement);
+  const view = new GridCanvas(canvas, draw);
+  canvas.addEventListener("pointermove", (event) => {
+    const cell = view.cellUnder(event);
+    if (cell) point(cell);
+  });
+  view.takeKeys(() => shownNow?.at ?? null, point, point);
+  return view;
+}
+const foundView = viewOf("found-view");
+const rightView = viewOf("right-view");
+
+// --- the controls ---
+
+function choose() {
+  const { settings, scans } = world();
+  setText(
+    element("scenario-words"),
+    `${settings.width} x ${settings.height} cells of ${settings.resolution} m, ${plural(scans.length, "scan")}.`,
+  );
+  check();
+}
+
+takeFiles(element("drop"), input("file"), (name, bytes) => {
+  file = { name, bytes };
+  check();
+  element("verdict-title").focus();
+});
+choice.addEventListener("change", choose);
+for (const id of ["noise-free", "seeded"]) {
+  input(id).addEventListener("change", choose);
+}
+input("seed").addEventListener("change", () => {
+  input("seeded").checked = true;
+  choose();
+});
+button("save-scenario").addEventListener("click", () =>
+  save(`${choice.value}.log`, offered[choice.value]),
+);
+button("next").addEventListener("click", () => step(1));
+button("previous").addEventListener("click", () => step(-1));
+input("colour").addEventListener("change", draw);
+choose();

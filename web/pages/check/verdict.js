@@ -1,0 +1,190 @@
+/** What the page says about a file, put together from the comparisons. It never says more than they show. */
+
+import {
+  differing,
+  firstTrouble,
+  fromBelow,
+  prefixThatFits,
+  referenceOf,
+  sizeOf,
+  symmetriesOf,
+  tryMistakes,
+} from "../model/compareMaps.js";
+import { explainByRounding } from "../model/sides.js";
+import { counted, plural } from "../shared/dom.js";
+
+/** @typedef {import("../model/mistakenMapper.js").World} World */
+/** @typedef {import("../model/compareMaps.js").Found} Found */
+/** @typedef {import("../model/compareMaps.js").Reference} Reference */
+
+/**
+ * @typedef {object} Verdict
+ * @property {"identical" | "size" | "turned" | "halves" | "edges" | "differs"} status
+ * @property {"good" | "note" | "bad"} tone
+ * @property {string[]} words the first is the verdict itself
+ * @property {number[]} wrong the cells that differ
+ * @property {Reference} reference
+ */
+
+/** Lets the page answer in between. */
+const breathe = () => new Promise((resolve) => setTimeout(resolve, 0));
+
+/**
+ * @param {Found} found
+ * @param {World} world
+ * @param {number | null} seed
+ * @param {(words: string) => void} progress
+ * @returns {Promise<Verdict>}
+ */
+export async function judge(found, world, seed, progress) {
+  progress("Drawing the right map …");
+  await breathe();
+  const reference = referenceOf(world, seed);
+  const what = "picture" in found ? "picture" : "log-odds";
+  const { width, height } = reference;
+  const size = sizeOf(found);
+  const turned = symmetriesOf(found, reference);
+  const sameSize = size.width === width && size.height === height;
+  const wrong = sameSize ? differing(found, reference) : [];
+  const base = { wrong, reference };
+  if (sameSize && wrong.length === 0) {
+    return {
+      ...base,
+      status: "identical",
+      tone: "good",
+      words: [
+        "identical",
+        what === "picture"
+          ? `All ${counted(width * height)} pixels are those of the right map.`
+          : `All ${counted(width * height)} log-odds are those of the right map, in every bit.`,
+      ],
+    };
+  }
+  if (turned.length > 0) {
+    const words = [
+      `flipped or transposed`,
+      `Your map is exactly the right one, ${turned.join(", or ")}.`,
+    ];
+    words.push(...(await mistakes(found, world, seed, progress)));
+    return { ...base, status: "turned", tone: "bad", words };
+  }
+  if (!sameSize) {
+    const words = [
+      "wrong size",
+      `Your ${what === "picture" ? "picture has" : "map has"} ${size.width} x ${size.height} cells, the right one ${width} x ${height} (columns x rows).`,
+    ];
+    if (size.width === height && size.height === width) {
+      words.push(
+        "Width and height are exchanged, but the cells differ as well.",
+      );
+    }
+    words.push(...(await mistakes(found, world, seed, progress)));
+    return { ...base, status: "size", tone: "bad", words };
+  }
+  progress("Looking at beams that rounding decides …");
+  await breathe();
+  const explained =
+    "picture" in found
+      ? explainByRounding(world, seed, fromBelow(found.picture))
+      : null;
+  if (explained !== null) {
+    return { ...base, ...rounding(explained, wrong.length) };
+  }
+  const words = [
+    `differs in ${plural(wrong.length, "cell")} of ${counted(width * height)}`,
+  ];
+  if ("logOdds" in found && differOnlyInLastBits(found, reference, wrong)) {
+    words.push(
+      "All of them differ by less than 0.000000001, so it may be another logarithm's last bits and nothing more. This page does not follow that up for log-odds; the full check does.",
+    );
+  }
+  const prefix = prefixThatFits(found, world, seed);
+  if (prefix >= 0) {
+    words.push(
+      `It is exactly the right map after ${plural(prefix, "scan")} of ${reference.scans}: ${reference.scans - prefix === 1 ? "the last scan is missing" : `the last ${reference.scans - prefix} scans are missing`}.`,
+    );
+  } else {
+    words.push(...trouble(wrong, reference));
+  }
+  words.push(...(await mistakes(found, world, seed, progress)));
+  return { ...base, status: "differs", tone: "bad", words };
+}
+
+/** @param {NonNullable<ReturnType<typeof explainByRounding>>} explained @param {number} count */
+function rounding({ kind, turned, halves }, count) {
+  if (kind === "halves") {
+    return {
+      status: /** @type {const} */ ("halves"),
+      tone: /** @type {const} */ ("note"),
+      words: [
+        `differs in ${plural(count, "cell")}, only by rounding`,
+        `In each of them the grey value lies halfway between two levels, so that the last bit of exp or log decides the level.`,
+      ],
+    };
+  }
+  const named = turned
+    .slice(0, 8)
+    .map(({ scan, beam }) => `scan ${scan + 1}, beam ${beam + 1}`);
+  const more = turned.length - named.length;
+  return {
+    status: /** @type {const} */ ("edges"),
+    tone: /** @type {const} */ ("note"),
+    words: [
+      `differs in ${plural(count, "cell")}, only at cell edges`,
+      `${plural(turned.length, "beam ends", "beams end")} so close to a cell's edge that the last bits of a sine decide the cell. Put on the other side, they draw exactly your picture: ${named.join("; ")}${more > 0 ? `; and ${more} more` : ""}.${halves ? ` In ${plural(halves, "cell")} the last bit of exp or log decides the level.` : ""}`,
+      "Your program may be right. It is equal to the others in every bit only with the contract's own sine and cosine.",
+    ],
+  };
+}
+
+/** @param {number[]} wrong @param {Reference} reference */
+function trouble(wrong, reference) {
+  const { touched, settled, never, known } = firstTrouble(wrong, reference);
+  const words = [];
+  if (never > 0) {
+    words.push(
+      `${plural(never, "of these cells is", "of these cells are")} touched by no beam of the right program.`,
+    );
+  }
+  if (known) {
+    words.push(
+      `${touched > 1 ? `No scan before scan ${touched} touches any of ${never ? "the others" : "them"}, so up to there your program may be right. ` : ""}After scan ${settled}, in which one of them gets its last update, no prefix of the reference fits.`,
+    );
+  }
+  return words;
+}
+
+/**
+ * @param {{logOdds: import("../model/readFiles.js").LogOdds}} found
+ * @param {Reference} reference
+ * @param {number[]} wrong
+ */
+function differOnlyInLastBits({ logOdds }, reference, wrong) {
+  return wrong.every(
+    (i) => Math.abs(logOdds.values[i] - reference.logOdds[i]) < 1e-9,
+  );
+}
+
+/**
+ * @param {Found} found
+ * @param {World} world
+ * @param {number | null} seed
+ * @param {(words: string) => void} progress
+ */
+async function mistakes(found, world, seed, progress) {
+  const same = [];
+  for (const step of tryMistakes(found, world, seed)) {
+    if (step.same) same.push(step.same);
+    progress(`Trying known mistakes: ${step.tried} of ${step.of} …`);
+    await breathe();
+  }
+  if (same.length === 0) {
+    return ["None of the mistakes that this page knows draws this map."];
+  }
+  const what =
+    same.length === 1 ? "A known mistake draws" : "Known mistakes draw";
+  return [
+    `${what} exactly this map:`,
+    ...same.map(({ title, lesson }) => `• ${title}. ${lesson}`),
+  ];
+}

@@ -1,0 +1,265 @@
+/**
+ * The contract once more, one short function for each step, so that a mistake can be planted in any of them. Without a
+ * mistake it draws the same bits as the port; a test holds it to that.
+ */
+
+import { logit, sigmoid } from "../../src/grid.js";
+import { normalDeviate } from "../../src/noise.js";
+import { cos, sin } from "../../src/portableMath.js";
+import { bresenham } from "../../src/ray.js";
+import { beamAngles, Scan } from "../../src/sensor.js";
+import { Pose, raySegmentIntersection } from "../../src/world.js";
+
+/** @typedef {import("../../src/scenario.js").Settings} Settings */
+/** @typedef {import("../../src/world.js").Segment} Segment */
+/** @typedef {{settings: Settings, walls: Segment[], scans: (Pose | Scan)[]}} World a scenario in memory */
+/** @typedef {{gx: number, gy: number}} Cell */
+/** @typedef {{cells: Cell[], last: number}} Line cells in order; which of them is the last, -1 where it is missing */
+/** @typedef {{gx: number, gy: number, occupied: boolean}} Update */
+/** @typedef {{width: number, height: number, pixels: Uint8Array}} Picture its rows from the top */
+/** @typedef {{width: number, height: number, values: Float64Array}} LogOdds the rows of the file */
+/** @typedef {ReturnType<typeof contractSteps>} Steps */
+/** @typedef {{name: string, title: string, lesson: string, plant: (steps: Steps) => void}} Mistake */
+
+/** Which cells of a line are updated, and which of them as occupied. @param {Line} line @param {boolean} hit @returns {[number, boolean][]} */
+function allCells(line, hit) {
+  return line.cells.map((_, k) => [k, hit && k === line.last]);
+}
+
+/** The updates of one scan, before they are applied. @param {Update[]} updates @returns {Update[]} */
+function allUpdates(updates) {
+  return updates;
+}
+
+/**
+ * The steps of the contract (SPEC.md sections 2 and 3).
+ *
+ * @param {World} world
+ */
+export function contractSteps({ settings, walls }) {
+  const s = settings;
+  const steps = {
+    settings,
+
+    // --- the model (2.2) ---
+    logit,
+    start: () => steps.logit(s.p0),
+    /** What a free cell and an occupied one add. @returns {[number, number]} */
+    deltas: () => {
+      const l0 = steps.logit(s.p0);
+      return [steps.logit(s.pFree) - l0, steps.logit(s.pOcc) - l0];
+    },
+    clamp: (/** @type {number} */ l) => Math.min(Math.max(l, s.lMin), s.lMax),
+    /** After the last scan. */
+    finish: (/** @type {number} */ l) => l,
+
+    // --- the simulated sensor (3) ---
+    bearings: () => beamAngles(s.fov, s.beams),
+    cast: (/** @type {Pose} */ pose, /** @type {number} */ direction) => {
+      const rdx = cos(direction);
+      const rdy = sin(direction);
+      let range = s.maxRange;
+      for (const wall of walls) {
+        range = Math.min(
+          range,
+          raySegmentIntersection(pose.x, pose.y, rdx, rdy, wall),
+        );
+      }
+      return range;
+    },
+    deviate: normalDeviate,
+    noisy: (
+      /** @type {number} */ range,
+      /** @type {number} */ seed,
+      /** @type {number} */ scan,
+      /** @type {number} */ beam,
+    ) => {
+      const noisy = range + s.noiseStd * steps.deviate(seed, scan, beam);
+      return Math.min(Math.max(noisy, 0), s.maxRange);
+    },
+
+    // --- beams (2.3) ---
+    direction: (/** @type {number} */ theta, /** @type {number} */ angle) =>
+      theta + angle,
+    read: (/** @type {number} */ range) => {
+      const hit = range < s.maxRange - 1e-12;
+      const used = s.noReturn === "ignore" ? hit : hit || !Number.isNaN(range);
+      return { z: hit ? range : s.maxRange, hit, used };
+    },
+    endpoint: (
+      /** @type {Pose} */ pose,
+      /** @type {number} */ direction,
+      /** @type {number} */ z,
+    ) => ({
+      x: pose.x + z * cos(direction),
+      y: pose.y + z * sin(direction),
+    }),
+
+    // --- the grid (2.1) ---
+    index: Math.floor,
+    toGrid: (/** @type {number} */ x, /** @type {number} */ y) => ({
+      gx: steps.index((x - s.originX) / s.resolution),
+      gy: steps.index((y - s.originY) / s.resolution),
+    }),
+    /** Where a cell lies in the array; -1 where it lies outside. */
+    place: (/** @type {number} */ gx, /** @type {number} */ gy) =>
+      gx >= 0 && gx < s.width && gy >= 0 && gy < s.height
+        ? gy * s.width + gx
+        : -1,
+
+    // --- the update (2.4, 2.5) ---
+    kept: (/** @type {Cell} */ _from, /** @type {Cell} */ _to) => true,
+    /** @returns {Line} */
+    line: (
+      /** @type {Cell} */ from,
+      /** @type {Cell} */ to,
+      /** @type {number} the most cells that a lost line may have */ _most,
+    ) => {
+      const cells = bresenham(from.gx, from.gy, to.gx, to.gy);
+      return { cells, last: cells.length - 1 };
+    },
+    evidence: allCells,
+    withinScan: allUpdates,
+
+    // --- the files (2.6, 7) ---
+    pixel: (/** @type {number} */ p) => Math.floor((1 - p) * 255 + 0.5),
+    /** @returns {LogOdds} */
+    fileOrder: (/** @type {LogOdds} */ map) => map,
+    /** @returns {Picture} */
+    picture: (/** @type {LogOdds} */ map) => {
+      const { width, height, values } = map;
+      const pixels = new Uint8Array(values.length);
+      for (let gy = 0; gy < height; gy++) {
+        for (let gx = 0; gx < width; gx++) {
+          const p = sigmoid(values[gy * width + gx]);
+          pixels[(height - 1 - gy) * width + gx] = steps.pixel(p);
+        }
+      }
+      return { width, height, pixels };
+    },
+  };
+  return steps;
+}
+
+/** Maps a world scan by scan, with mistakes. */
+export class MistakenMapper {
+  /**
+   * @param {World} world
+   * @param {number | null} seed
+   * @param {Mistake[]} mistakes
+   */
+  constructor(world, seed, mistakes) {
+    this.world = world;
+    this.seed = seed;
+    this.steps = contractSteps(world);
+    for (const mistake of mistakes) mistake.plant(this.steps);
+    this.bearings = this.steps.bearings();
+  }
+
+  /** An empty map. */
+  start() {
+    const { width, height } = this.world.settings;
+    return new Float64Array(width * height).fill(this.steps.start());
+  }
+
+  /**
+   * Adds one scan to a map.
+   *
+   * @param {Float64Array} logOdds
+   * @param {number} number the scan's
+   */
+  add(logOdds, number) {
+    const { steps } = this;
+    const [free, occupied] = steps.deltas();
+    const update = (
+      /** @type {Cell} */ { gx, gy },
+      /** @type {boolean} */ hit,
+    ) => {
+      const at = steps.place(gx, gy);
+      if (at >= 0) {
+        logOdds[at] = steps.clamp(logOdds[at] + (hit ? occupied : free));
+      }
+    };
+    if (steps.evidence === allCells && steps.withinScan === allUpdates) {
+      // the same without a list of updates, which takes most of the time
+      for (const { line, hit } of this.lines(number)) {
+        const { cells, last } = line;
+        for (let k = 0; k < cells.length; k++) {
+          update(cells[k], hit && k === last);
+        }
+      }
+      return;
+    }
+    /** @type {Update[]} */
+    const updates = [];
+    for (const { line, hit } of this.lines(number)) {
+      for (const [k, isOccupied] of steps.evidence(line, hit)) {
+        updates.push({ ...line.cells[k], occupied: isOccupied });
+      }
+    }
+    for (const one of steps.withinScan(updates)) update(one, one.occupied);
+  }
+
+  /**
+   * The lines of a scan, in order.
+   *
+   * @param {number} number
+   */
+  lines(number) {
+    const { steps } = this;
+    const { pose, angles, ranges } = this.scan(number);
+    const from = steps.toGrid(pose.x, pose.y);
+    const beams = [];
+    let most = 0;
+    for (let i = 0; i < ranges.length; i++) {
+      const { z, hit, used } = steps.read(ranges[i]);
+      if (!used) continue;
+      const direction = steps.direction(pose.theta, angles[i]);
+      const end = steps.endpoint(pose, direction, z);
+      const to = steps.toGrid(end.x, end.y);
+      if (!steps.kept(from, to)) continue;
+      beams.push({ to, hit });
+      const span = Math.abs(to.gx - from.gx) + Math.abs(to.gy - from.gy);
+      most = Math.max(most, 2 * span + 1);
+    }
+    return beams.map(({ to, hit }) => ({
+      line: steps.line(from, to, most),
+      hit,
+    }));
+  }
+
+  /** @param {number} number @returns {Scan} */
+  scan(number) {
+    const { steps, seed, bearings } = this;
+    const next = this.world.scans[number];
+    if (!(next instanceof Pose)) return next;
+    const ranges = bearings.map((angle, beam) => {
+      const range = steps.cast(next, steps.direction(next.theta, angle));
+      return seed === null ? range : steps.noisy(range, seed, number, beam);
+    });
+    return new Scan(next, bearings, ranges);
+  }
+
+  /**
+   * What the files of a map hold.
+   *
+   * @param {Float64Array} logOdds
+   * @returns {{logOdds: LogOdds, picture: Picture}}
+   */
+  files(logOdds) {
+    const { width, height } = this.world.settings;
+    const values = logOdds.map((l) => this.steps.finish(l));
+    const map = { width, height, values };
+    return {
+      logOdds: this.steps.fileOrder(map),
+      picture: this.steps.picture(map),
+    };
+  }
+
+  /** The map of all scans. */
+  draw() {
+    const logOdds = this.start();
+    for (let i = 0; i < this.world.scans.length; i++) this.add(logOdds, i);
+    return this.files(logOdds);
+  }
+}

@@ -1,0 +1,257 @@
+/** What all figures show: a world, a moment, and what the reader has done to them. */
+
+import { updateGridFromScans } from "../../src/fast.js";
+import { lessonScenario } from "../../src/lesson.js";
+import { simulatedScans } from "../../src/mapper.js";
+import { addRangeNoise } from "../../src/noise.js";
+import { newGrid, Scenario, Settings } from "../../src/scenario.js";
+import {
+  beamAngles,
+  beamEndpoints,
+  readRanges,
+  Scan,
+} from "../../src/sensor.js";
+import { Pose, simulateLidarScan } from "../../src/world.js";
+import { MistakenMapper } from "../model/mistakenMapper.js";
+import { MISTAKES } from "../model/mistakes.js";
+import { Timeline } from "../model/timeline.js";
+
+/** @typedef {import("../model/mistakenMapper.js").World} World */
+/** @typedef {import("../../src/world.js").Segment} Segment */
+/** @typedef {{gx: number, gy: number}} Cell */
+
+export class Lab {
+  /** Goes up whenever settings, walls, scans or the seed change. */
+  version = 0;
+  name = "lesson";
+  /** @type {number | null} null: without noise */
+  seed = 0;
+  /** The scan that is being added, from 1. */
+  scan = 1;
+  /** How many of its beams have been added. */
+  beam = 0;
+  /** Where the reader has put the robot. @type {Pose | null} */
+  free = null;
+  /** @type {"robot" | "draw" | "wall"} */
+  tool = "robot";
+  /** The cell whose history is shown. @type {Cell} */
+  cell = { gx: 109, gy: 90 };
+  /** The cell that is read out in the map. @type {Cell | null} */
+  cursor = null;
+  /** A line that was asked for; null: that of the current beam. @type {[number, number, number, number] | null} */
+  line = null;
+  step = 0;
+  /** @type {Set<string>} */
+  mistakes = new Set();
+  playing = false;
+
+  /** @type {World} */
+  world;
+  /** @type {Scan[]} */
+  scans = [];
+
+  constructor() {
+    const lesson = lessonScenario();
+    this.world = {
+      settings: lesson.settings,
+      walls: lesson.walls,
+      scans: Array.from(lesson.scans()),
+    };
+    this.grid = newGrid(lesson.settings);
+    this.#changed();
+    this.beam = this.beams;
+  }
+
+  /** How many beams the current scan has. */
+  get beams() {
+    return this.scans[this.scan - 1].ranges.length;
+  }
+
+  /** @param {World} world @param {string} name */
+  open(world, name) {
+    this.world = world;
+    this.name = name;
+    this.free = null;
+    this.line = null;
+    this.scan = 1;
+    this.cursor = null;
+    const { width, height } = world.settings;
+    this.cell = { gx: width >> 1, gy: height >> 1 };
+    this.#changed();
+    this.beam = this.beams;
+  }
+
+  /** @param {Partial<Settings>} values */
+  set(values) {
+    const settings = new Settings({ ...this.world.settings, ...values });
+    newGrid(settings); // refuses what is not possible
+    const whole = this.beam === this.beams;
+    const old = this.world.settings;
+    this.world = { ...this.world, settings };
+    const zoom = old.resolution / settings.resolution;
+    if (zoom !== 1) {
+      this.cursor = null;
+      this.cell = {
+        gx: Math.min(Math.floor(this.cell.gx * zoom), settings.width - 1),
+        gy: Math.min(Math.floor(this.cell.gy * zoom), settings.height - 1),
+      };
+    }
+    this.#changed();
+    this.beam = whole ? this.beams : Math.min(this.beam, this.beams);
+  }
+
+  /** @param {Segment[]} walls */
+  setWalls(walls) {
+    this.world = { ...this.world, walls };
+    this.#changed();
+  }
+
+  /** @param {number | null} seed */
+  setSeed(seed) {
+    this.seed = seed;
+    this.#changed();
+  }
+
+  #changed() {
+    const { settings, walls, scans } = this.world;
+    const { maxRange, noReturn } = settings;
+    this.version += 1;
+    const scenario = new Scenario(this.name, settings, walls, scans);
+    this.scans = Array.from(simulatedScans(scenario, this.seed));
+    this.scan = Math.min(this.scan, this.scans.length);
+    // one grid, whose cells are laid over the timeline's
+    const grid = newGrid(settings);
+    this.grid = grid;
+    this.timeline = new Timeline(
+      this.scans.length,
+      grid.logOdds.slice(),
+      (values, number) => {
+        grid.logOdds.set(values);
+        updateGridFromScans(grid, [this.scans[number]], maxRange, noReturn);
+        values.set(grid.logOdds);
+      },
+    );
+    this.#wrong = null;
+  }
+
+  /** Goes to a moment. @param {number} scan from 1 @param {number} [beam] beams of it; all without */
+  goTo(scan, beam) {
+    this.scan = Math.min(Math.max(scan, 1), this.scans.length);
+    this.beam = Math.min(Math.max(beam ?? this.beams, 0), this.beams);
+  }
+
+  /** One beam on or back, across scans. @param {number} by 1 or -1 */
+  moveBeam(by) {
+    const next = this.beam + by;
+    if (next > this.beams && this.scan < this.scans.length) {
+      this.goTo(this.scan + 1, 1);
+    } else if (next < 0 && this.scan > 1) {
+      this.goTo(this.scan - 1);
+      this.goTo(this.scan, this.beams - 1);
+    } else {
+      this.goTo(this.scan, next);
+    }
+  }
+
+  get atEnd() {
+    return this.scan === this.scans.length && this.beam === this.beams;
+  }
+
+  /** The scan in view: of the path, or from where the reader has put the robot. @returns {Scan} */
+  inView() {
+    if (this.free === null) return this.scans[this.scan - 1];
+    const { settings, walls } = this.world;
+    const { fov, beams, maxRange, noiseStd } = settings;
+    const angles = beamAngles(fov, beams);
+    let ranges = simulateLidarScan(this.free, walls, angles, maxRange);
+    if (this.seed !== null) {
+      const number = this.scan - 1;
+      ranges = addRangeNoise(ranges, noiseStd, this.seed, number, maxRange);
+    }
+    return new Scan(this.free, angles, ranges);
+  }
+
+  /** The map now, and the map before what the scan in view has done. */
+  maps() {
+    const { maxRange, noReturn } = this.world.settings;
+    const { grid } = this;
+    const add = (/** @type {Scan} */ scan) =>
+      updateGridFromScans(grid, [scan], maxRange, noReturn);
+    const timeline = /** @type {Timeline} */ (this.timeline);
+    let before = timeline.at(this.scan - 1).slice();
+    grid.logOdds.set(before);
+    const { pose, angles, ranges } = this.scans[this.scan - 1];
+    const part = [
+      angles.subarray(0, this.beam),
+      ranges.subarray(0, this.beam),
+    ];
+    add(new Scan(pose, part[0], part[1]));
+    if (this.free !== null) {
+      before = grid.logOdds.slice();
+      add(this.inView());
+    }
+    return { before, now: grid.logOdds };
+  }
+
+  /** @type {{key: string, mapper: MistakenMapper, timeline: Timeline} | null} */
+  #wrong = null;
+
+  /** The map after the whole scans so far, right and with the chosen mistakes. */
+  compared() {
+    const key = Array.from(this.mistakes).join(" ");
+    if (this.#wrong?.key !== key) {
+      const chosen = Array.from(this.mistakes, (name) => MISTAKES.get(name));
+      const mapper = new MistakenMapper(
+        this.world,
+        this.seed,
+        chosen.filter((mistake) => mistake !== undefined),
+      );
+      const timeline = new Timeline(
+        this.scans.length,
+        mapper.start(),
+        (values, number) => mapper.add(values, number),
+      );
+      this.#wrong = { key, mapper, timeline };
+    }
+    const { mapper, timeline } = this.#wrong;
+    const scans = this.beam === this.beams ? this.scan : this.scan - 1;
+    const right = /** @type {Timeline} */ (this.timeline).at(scans);
+    return { scans, right, wrong: mapper.files(timeline.at(scans)) };
+  }
+
+  /** First and last cell of a beam of the scan in view; null where the beam is ignored. @param {number} beam from 0 */
+  cellsOfBeam(beam) {
+    const { pose, angles, ranges } = this.inView();
+    const one = new Scan(
+      pose,
+      angles.subarray(beam, beam + 1),
+      ranges.subarray(beam, beam + 1),
+    );
+    return endsOf(this.grid, one, this.world.settings)[0] ?? null;
+  }
+}
+
+/**
+ * Where the beams of a scan go.
+ *
+ * @param {import("../../src/grid.js").OccupancyGrid} grid
+ * @param {Scan} scan
+ * @param {Settings} settings
+ */
+export function endsOf(grid, scan, { maxRange, noReturn }) {
+  const { z, hit, used } = readRanges(scan.ranges, maxRange, noReturn);
+  const { ex, ey } = beamEndpoints(scan.pose, scan.angles, z);
+  const from = grid.worldToGrid(scan.pose.x, scan.pose.y);
+  return Array.from(z, (length, i) =>
+    used[i]
+      ? {
+          from,
+          to: grid.worldToGrid(ex[i], ey[i]),
+          x: ex[i],
+          y: ey[i],
+          z: length,
+          hit: hit[i],
+        }
+      : null,
+  );
+}

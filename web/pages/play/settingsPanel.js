@@ -1,0 +1,186 @@
+/** Sliders for the sensor, the inverse model and the grid; presets; noise. */
+
+import { lessonSettings } from "../../src/lesson.js";
+import { byId, element, input, make, setText } from "../shared/dom.js";
+
+/** @typedef {import("./lab.js").Lab} Lab */
+/** @typedef {import("../../src/scenario.js").Settings} Settings */
+
+/** @type {{id: string, key: keyof Settings, label: string, min: number, max: number, step: number, unit?: string}[]} */
+export const SLIDERS = [
+  {
+    id: "p_occ",
+    key: "pOcc",
+    label: "p_occ, of a cell that was hit",
+    min: 0.01,
+    max: 0.99,
+    step: 0.01,
+  },
+  {
+    id: "p_free",
+    key: "pFree",
+    label: "p_free, of a cell that was passed",
+    min: 0.01,
+    max: 0.99,
+    step: 0.01,
+  },
+  {
+    id: "p0",
+    key: "p0",
+    label: "p0, the prior",
+    min: 0.05,
+    max: 0.95,
+    step: 0.01,
+  },
+  {
+    id: "l_min",
+    key: "lMin",
+    label: "l_min, the lower bound",
+    min: -20,
+    max: -0.25,
+    step: 0.25,
+  },
+  {
+    id: "l_max",
+    key: "lMax",
+    label: "l_max, the upper bound",
+    min: 0.25,
+    max: 20,
+    step: 0.25,
+  },
+  {
+    id: "resolution",
+    key: "resolution",
+    label: "side of a cell",
+    min: 0.05,
+    max: 1,
+    step: 0.05,
+    unit: " m",
+  },
+  {
+    id: "max_range",
+    key: "maxRange",
+    label: "range of the sensor",
+    min: 1,
+    max: 30,
+    step: 0.5,
+    unit: " m",
+  },
+  {
+    id: "noise_std",
+    key: "noiseStd",
+    label: "noise of a range",
+    min: 0,
+    max: 0.5,
+    step: 0.01,
+    unit: " m",
+  },
+];
+const MOST_CELLS = 2000000;
+
+/** @type {Record<string, Partial<Settings>>} */
+const PRESETS = {
+  weak: { p0: 0.5, pOcc: 0.6, pFree: 0.4 },
+  strong: { p0: 0.5, pOcc: 0.9, pFree: 0.1 },
+};
+
+export class SettingsPanel {
+  /** @param {Lab} lab @param {() => void} changed */
+  constructor(lab, changed) {
+    this.lab = lab;
+    this.changed = changed;
+    element("sliders").append(
+      ...SLIDERS.map(({ id, label, min, max, step }) =>
+        make(
+          "label",
+          {},
+          label,
+          make("output", { id: `${id}-value` }),
+          make("input", { id, type: "range", min, max, step }),
+        ),
+      ),
+    );
+    for (const { id, key } of SLIDERS) {
+      input(id).addEventListener("input", () =>
+        this.apply({ [key]: input(id).valueAsNumber }),
+      );
+    }
+    for (const preset of document.querySelectorAll("[data-preset]")) {
+      preset.addEventListener("click", () => {
+        const name = preset.getAttribute("data-preset") ?? "";
+        if (name in PRESETS) {
+          this.apply(PRESETS[name]);
+          return;
+        }
+        const lesson = lessonSettings();
+        const keys = SLIDERS.map(({ key }) => [key, lesson[key]]);
+        lab.setSeed(0);
+        this.apply({ ...Object.fromEntries(keys), noReturn: "free" });
+      });
+    }
+    const noise = () => {
+      const seed = Math.trunc(input("seed").valueAsNumber);
+      if (!(seed >= 0 && seed <= 4294967295)) return;
+      lab.setSeed(input("noise-free").checked ? null : seed);
+      changed();
+    };
+    input("noise-free").addEventListener("change", noise);
+    input("seed").addEventListener("input", noise);
+    const noReturn = byId("no-return", HTMLSelectElement);
+    noReturn.addEventListener("change", () =>
+      this.apply({
+        noReturn: noReturn.value === "ignore" ? "ignore" : "free",
+      }),
+    );
+  }
+
+  /** @param {Partial<Settings>} values */
+  apply(values) {
+    const words = element("settings-words");
+    try {
+      this.lab.set({ ...values, ...this.#size(values) });
+      setText(words, "");
+    } catch (error) {
+      setText(
+        words,
+        `Not possible: ${error instanceof Error ? error.message : error}.`,
+      );
+    }
+    this.changed();
+  }
+
+  /** Another resolution keeps the grid's place in the world. @param {Partial<Settings>} values */
+  #size({ resolution }) {
+    const old = this.lab.world.settings;
+    if (resolution === undefined || resolution === old.resolution) return {};
+    const cells = (/** @type {number} */ count) =>
+      Math.max(1, Math.round((count * old.resolution) / resolution));
+    const [width, height] = [cells(old.width), cells(old.height)];
+    if (width * height > MOST_CELLS) {
+      throw new RangeError(
+        `${width} x ${height} cells are too many for this page`,
+      );
+    }
+    return { width, height };
+  }
+
+  render() {
+    const { settings } = this.lab.world;
+    for (const { id, key, unit = "" } of SLIDERS) {
+      const value = Number(settings[key]);
+      const slider = input(id);
+      // values from a file may lie beyond a slider's ends
+      if (value < Number(slider.min)) slider.min = `${value}`;
+      if (value > Number(slider.max)) slider.max = `${value}`;
+      slider.value = `${value}`;
+      setText(
+        element(`${id}-value`),
+        `${`${value}`.replace("-", "\u2212")}${unit}`,
+      );
+    }
+    input("noise-free").checked = this.lab.seed === null;
+    if (this.lab.seed !== null) input("seed").value = `${this.lab.seed}`;
+    input("seed").disabled = this.lab.seed === null;
+    byId("no-return", HTMLSelectElement).value = settings.noReturn;
+  }
+}

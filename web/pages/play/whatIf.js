@@ -1,0 +1,185 @@
+/** Mistakes as switches: the map that comes out, and the cells that differ. */
+
+import { sigmoid } from "../../src/grid.js";
+import { MISTAKES } from "../model/mistakes.js";
+import {
+  byId,
+  counted,
+  element,
+  input,
+  make,
+  plural,
+  setText,
+} from "../shared/dom.js";
+import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
+
+/** @typedef {import("./lab.js").Lab} Lab */
+/** @typedef {import("./lab.js").Cell} Cell */
+
+export const SWITCHES = [
+  "truncation",
+  "off-by-one",
+  "rows-and-columns-swapped",
+  "y-flipped",
+  "robot-outside-skipped",
+  "heading-ignored",
+  "bearings-clockwise",
+  "last-bearing-missing",
+  "max-range-occupied",
+  "no-return-not-freed",
+  "hit-also-free",
+  "last-cell-missed",
+  "ties-with-equality-in-x",
+  "supercover",
+  "prior-not-subtracted",
+  "free-and-occupied-swapped",
+  "no-clamp",
+  "clamp-at-the-end",
+  "once-per-scan",
+  "pixel-half-even",
+];
+
+export class WhatIf {
+  #grey = new GreyLevels();
+  /** @type {Cell | null} */
+  #cursor = null;
+  #key = "";
+
+  /** @param {Lab} lab @param {() => void} changed */
+  constructor(lab, changed) {
+    this.lab = lab;
+    const canvas = /** @type {HTMLCanvasElement} */ (element("wrong-view"));
+    const redraw = () => {
+      this.#key = "";
+      changed();
+    };
+    this.view = new GridCanvas(canvas, redraw);
+    this.right = new GridCanvas(byId("right-view", HTMLCanvasElement), redraw);
+    element("switches").append(
+      ...SWITCHES.map((name) => {
+        const mistake = MISTAKES.get(name);
+        if (!mistake) throw new Error(`no mistake ${name}`);
+        const box = make("input", { type: "checkbox", "data-mistake": name });
+        box.addEventListener("change", () => {
+          if (box.checked) lab.mistakes.add(name);
+          else lab.mistakes.delete(name);
+          changed();
+        });
+        return make(
+          "label",
+          {},
+          box,
+          make("span", {}, mistake.title),
+          make("small", {}, mistake.lesson),
+        );
+      }),
+    );
+    const point = (/** @type {Cell | null} */ cell) => {
+      this.#cursor = cell;
+      this.#key = "";
+      changed();
+    };
+    canvas.addEventListener("pointermove", (event) =>
+      point(this.view.cellUnder(event)),
+    );
+    this.view.takeKeys(
+      () => this.#cursor,
+      point,
+      (cell) => {
+        lab.cell = cell;
+        changed();
+      },
+    );
+    input("show-differences").addEventListener("change", () => {
+      this.#key = "";
+      changed();
+    });
+  }
+
+  render() {
+    const { lab } = this;
+    const scheme = matchMedia("(prefers-color-scheme: dark)").matches;
+    const key = [
+      lab.version,
+      lab.scan,
+      lab.beam,
+      lab.free === null,
+      scheme,
+      ...lab.mistakes,
+    ].join(" ");
+    if (key === this.#key) return;
+    this.#key = key;
+    for (const box of document.querySelectorAll("[data-mistake]")) {
+      const name = box.getAttribute("data-mistake") ?? "";
+      /** @type {HTMLInputElement} */ (box).checked = lab.mistakes.has(name);
+    }
+    const { settings } = lab.world;
+    const { scans, right, wrong } = lab.compared();
+    const { width, height } = settings;
+    const grey = this.#grey.of(right);
+    const found = wrong.picture;
+    const sameSize = found.width === width;
+    const coloured = input("show-differences").checked;
+    let inLogOdds = 0;
+    let inPicture = 0;
+    this.view.begin(found);
+    this.view.paintCells((image) => {
+      for (let i = 0; i < found.pixels.length; i++) {
+        const at = (height - 1 - Math.floor(i / width)) * width + (i % width);
+        const level = found.pixels[i];
+        const other = sameSize && wrong.logOdds.values[at] !== right[at];
+        const seen = sameSize && level !== grey[at];
+        if (other) inLogOdds += 1;
+        if (seen) inPicture += 1;
+        const mark = coloured && (seen || other);
+        image[4 * i] = mark ? 0.3 * level + 0.7 * (seen ? 214 : 180) : level;
+        image[4 * i + 1] = mark
+          ? 0.3 * level + 0.7 * (seen ? 48 : 120)
+          : level;
+        image[4 * i + 2] = mark
+          ? 0.3 * level + 0.7 * (seen ? 120 : 210)
+          : level;
+        image[4 * i + 3] = 255;
+      }
+    });
+    if (this.#cursor) this.view.frame(this.#cursor, "#6d28d9");
+    const after = `after ${plural(scans, "scan")}`;
+    setText(
+      element("difference-words"),
+      lab.mistakes.size === 0
+        ? "No mistake is switched on."
+        : !sameSize
+          ? `The picture has ${found.width} x ${found.height} pixels in place of ${width} x ${height}.`
+          : `${counted(inPicture)} of ${counted(width * height)} cells differ in the picture ${after}, ${counted(inLogOdds)} in their log-odds.${inPicture + inLogOdds === 0 ? " Here nobody would notice." : ""}`,
+    );
+    this.right.begin(settings);
+    this.right.paintCells((image) => {
+      for (let i = 0; i < right.length; i++) {
+        const row = height - 1 - Math.floor(i / width);
+        const out = 4 * (row * width + (i % width));
+        image.fill(grey[i], out, out + 3);
+        image[out + 3] = 255;
+      }
+    });
+    if (this.#cursor) this.right.frame(this.#cursor, "#6d28d9");
+    this.#readOut(right, wrong);
+  }
+
+  /** @param {Float64Array} right @param {ReturnType<Lab["compared"]>["wrong"]} wrong */
+  #readOut(right, wrong) {
+    const { width, height } = wrong.picture;
+    const cell = this.#cursor;
+    if (cell === null || width !== this.lab.world.settings.width) {
+      setText(element("wrong-words"), "Point at a cell to read both values.");
+      return;
+    }
+    const at = cell.gy * width + cell.gx;
+    const value = wrong.logOdds.values[at];
+    const level =
+      wrong.picture.pixels[(height - 1 - cell.gy) * width + cell.gx];
+    setText(
+      element("wrong-words"),
+      `cell gx=${cell.gx} gy=${cell.gy}: log-odds ${value}, pixel ${level}; right are ${right[at]} (P ${sigmoid(right[at]).toFixed(4)}) and ${this.#grey.of(right)[at]}.`,
+    );
+  }
+}

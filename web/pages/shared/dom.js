@@ -1,0 +1,129 @@
+/** Small helpers for pages. */
+
+/**
+ * The element with an id.
+ *
+ * @template {Element} T
+ * @param {string} id
+ * @param {new () => T} type
+ * @returns {T}
+ */
+export function byId(id, type) {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) throw new Error(`no ${type.name} #${id}`);
+  return found;
+}
+
+/** @param {string} id */
+export const button = (id) => byId(id, HTMLButtonElement);
+/** @param {string} id */
+export const input = (id) => byId(id, HTMLInputElement);
+/** @param {string} id */
+export const element = (id) => byId(id, HTMLElement);
+
+/**
+ * A new element.
+ *
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag
+ * @param {Record<string, string | number | boolean>} attributes true sets one without a value, false leaves it out
+ * @param {(Node | string)[]} children
+ * @returns {HTMLElementTagNameMap[K]}
+ */
+export function make(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== false)
+      made.setAttribute(name, value === true ? "" : `${value}`);
+  }
+  made.append(...children);
+  return made;
+}
+
+/** Sets text where it is another: assistive technology reads a status again whenever it is set. */
+export function setText(
+  /** @type {Element} */ node,
+  /** @type {string} */ text,
+) {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+/**
+ * A function that runs once before the next frame, however often it was asked for.
+ *
+ * @param {() => void} run
+ */
+export function onceAFrame(run) {
+  let asked = false;
+  return () => {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(() => {
+      asked = false;
+      run();
+    });
+  };
+}
+
+/** A number with a true minus sign, for reading. @param {number} value @param {number} digits */
+export function shown(value, digits) {
+  const text = value.toFixed(digits);
+  return Number(text) === 0
+    ? text.replace("-", "")
+    : text.replace("-", "\u2212");
+}
+
+/** Thousands apart. @param {number} n */
+export function counted(n) {
+  return n.toLocaleString("en");
+}
+
+/** @param {number} n @param {string} one @param {string} [many] */
+export function plural(n, one, many = `${one}s`) {
+  return `${counted(n)} ${n === 1 ? one : many}`;
+}
+
+/** Hands a text to the reader as a file. @param {string} name @param {string} text */
+export function save(name, text) {
+  const link = make("a", {
+    href: URL.createObjectURL(new Blob([text], { type: "text/plain" })),
+    download: name,
+  });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+/**
+ * A place to drop a file on, and its input.
+ *
+ * @param {HTMLElement} place
+ * @param {HTMLInputElement} chooser
+ * @param {(name: string, bytes: Uint8Array) => void} take
+ */
+export function takeFiles(place, chooser, take) {
+  const read = async (/** @type {File | undefined} */ file) => {
+    if (file) take(file.name, new Uint8Array(await file.arrayBuffer()));
+  };
+  chooser.addEventListener("change", () => {
+    read(chooser.files?.[0]);
+    chooser.value = ""; // the same file can be chosen again
+  });
+  for (const name of ["dragenter", "dragover"]) {
+    place.addEventListener(name, (event) => {
+      event.preventDefault();
+      place.classList.add("over");
+    });
+  }
+  place.addEventListener("dragleave", () => place.classList.remove("over"));
+  place.addEventListener("drop", (event) => {
+    event.preventDefault();
+    place.classList.remove("over");
+    read(event.dataTransfer?.files[0]);
+  });
+}
+
+/** The colours of the scheme at hand, by the names of shared/style.css. */
+export function colours() {
+  const style = getComputedStyle(document.documentElement);
+  return (/** @type {string} */ name) => style.getPropertyValue(`--${name}`);
+}
