@@ -82,10 +82,10 @@ $(ALL_PARTS:%=test-%): test-%: setup  ## Its tests; also test-lint, test-compare
 ##@ Course
 
 .PHONY: handouts
-handouts: setup  ## The course handouts, a PDF and a page for each language, in build/handouts
+handouts: setup  ## Students' and instructors' handouts in build/handouts; PARTIAL=1 goes on where a part cannot be made
 	$(BIN)/occgrid-parity build --jobs $(JOBS) --allow-skipped
 	$(WEB_PAGES)
-	$(BIN)/python handouts/build.py --out build/handouts
+	$(BIN)/python handouts/build.py --out build/handouts $(if $(PARTIAL),--partial)
 
 ##@ Speed
 

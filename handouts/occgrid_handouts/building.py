@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,14 +15,19 @@ from occgrid_handouts.languages import Language
 from occgrid_handouts.math_font import find_font, with_math_font
 from occgrid_handouts.mathematica import notebook_expression
 from occgrid_handouts.matlab_script import script_text
+from occgrid_handouts.missing import IncompleteError, missing_measurements
 from occgrid_handouts.notebook import (
     make_notebook,
     notebook_text,
     run_notebook,
 )
+from occgrid_handouts.packages import make_package, package_name
 from occgrid_handouts.page_tree import read_page
 from occgrid_handouts.project import COMMAND, Edition
+from occgrid_handouts.starters import Stage, make_stages, starter_zip
 from occgrid_handouts.typesetting import Kind, prepare, typeset
+from occgrid_handouts.web_pages import NAMES as WEB_PAGES
+from occgrid_handouts.web_pages import web_pages
 
 EDITIONS = ("student", "instructor")
 MARKER = ".occgrid-handouts"
@@ -37,6 +42,7 @@ EXTRAS = {
 KINDS: tuple[Kind, ...] = ("pdf", "html")
 
 Say = Callable[[str], None]
+Files = dict[str, bytes]
 
 
 @dataclass(frozen=True)
@@ -69,33 +75,85 @@ def build(
     edition: Edition,
     jobs: int,
     say: Say,
+    partial: bool = False,
 ) -> list[Path]:
     """Writes everything into ``out``, which is emptied first, and returns the files.
 
-    Raises SnippetError, TypesettingError, FileExistsError (where ``out`` holds something else).
+    Where something cannot be made, it raises IncompleteError, or with ``partial`` says so and goes on. Also raises
+    SnippetError, CutError, TypesettingError, FileExistsError (where ``out`` holds something else).
     """
-    prepare_folder(out)
+    check_folder(out)
+    stages = {one.id: make_stages(root, one) for one in languages}
     with tempfile.TemporaryDirectory() as name:
         work = Path(name)
         text = work / "text"
+        pages, missing = web_pages(root, work / "web")
+        if find_font() is None:
+            missing.append("a font for equations: install fonts-dejavu-extra")
+        if missing and not partial:
+            raise IncompleteError(missing)
         say("runs, libraries, figures")
         facts = gather(root, work, languages, edition, text / "figures")
+        missing += missing_measurements(facts)
+        if missing and not partial:
+            raise IncompleteError(missing)
+        for part in missing:
+            say(f"MISSING: {part}")
+        facts["missing"] = missing
         facts["extras"] = {
             id: {"file": file, "name": title}
             for id, (file, title) in EXTRAS.items()
         }
+        facts["web_pages"] = sorted(pages)
+        facts["packages"] = {one.id: package_name(one) for one in languages}
         prepare(text, facts)
         say(f"typesetting {len(languages)} languages")
         files = _typeset(text, languages, edition, jobs)
-    if find_font() is None:
-        say("without a font for equations: install fonts-dejavu-extra")
-    files |= _extras(root, files, languages, edition, say)
-    pages = {
-        name: content.decode()
-        for name, content in files.items()
-        if name.endswith(".html")
+    files |= _with_fonts(files)
+    student = of_edition(files, "student")
+    extras = _extras(root, student, languages, edition, say)
+    say("zip files")
+    files |= {
+        f"{which}/{n}": c for which in EDITIONS for n, c in extras.items()
     }
-    files |= {n: p.encode() for n, p in with_math_font(pages).items()}
+    files |= {
+        f"{which}/{n}": c for which in EDITIONS for n, c in pages.items()
+    }
+    files |= _zip_files(
+        root, languages, edition, student | extras, pages, stages
+    )
+    files |= _solutions(languages, stages)
+    return _write(out, files)
+
+
+def of_edition(files: Mapping[str, bytes], edition: str) -> Files:
+    """The files of one edition, by their names in its folder."""
+    prefix = f"{edition}/"
+    return {
+        name.removeprefix(prefix): content
+        for name, content in files.items()
+        if name.startswith(prefix)
+    }
+
+
+def check_folder(out: Path) -> None:
+    """Raises FileExistsError where the folder holds something that no earlier build has put there."""
+    if not out.exists() or (out / MARKER).is_file():
+        return
+    # the pages of the folder web, whose own build puts them here
+    others = [path for path in out.iterdir() if path.name not in WEB_PAGES]
+    if others:
+        raise FileExistsError(
+            f"{out}: is not empty, and no folder of handouts"
+        )
+
+
+def _write(out: Path, files: Mapping[str, bytes]) -> list[Path]:
+    """The folder with these files and no others."""
+    if out.exists():
+        shutil.rmtree(out)
+    out.mkdir(parents=True)
+    (out / MARKER).write_text("This folder is emptied by the next build.\n")
     written = []
     for name, content in sorted(files.items()):
         path = out / name
@@ -105,28 +163,15 @@ def build(
     return written
 
 
-def prepare_folder(out: Path) -> None:
-    """Makes the folder, and empties that of an earlier build."""
-    if out.exists() and not (out / MARKER).is_file() and any(out.iterdir()):
-        raise FileExistsError(
-            f"{out}: is not empty, and no folder of handouts"
-        )
-    if out.exists():
-        shutil.rmtree(out)
-    out.mkdir(parents=True)
-    (out / MARKER).write_text("This folder is emptied by the next build.\n")
-
-
 def _typeset(
     text: Path, languages: Sequence[Language], edition: Edition, jobs: int
-) -> dict[str, bytes]:
+) -> Files:
     """PDF and HTML of every language in both editions, and the index pages."""
     plan = {}
     for which in EDITIONS:
-        folder = "" if which == "student" else f"{which}/"
         for language in languages:
             for kind in KINDS:
-                plan[f"{folder}{language.id}.{kind}"] = Job(
+                plan[f"{which}/{language.id}.{kind}"] = Job(
                     text,
                     "main.typ",
                     language.id,
@@ -135,7 +180,7 @@ def _typeset(
                     edition.seconds,
                 )
         first = languages[0].id
-        plan[f"{folder}index.html"] = Job(
+        plan[f"{which}/index.html"] = Job(
             text, "index.typ", first, which, "html", edition.seconds
         )
     with ProcessPoolExecutor(jobs) as pool:
@@ -143,13 +188,23 @@ def _typeset(
         return dict(zip(plan, made, strict=True))
 
 
+def _with_fonts(files: Mapping[str, bytes]) -> Files:
+    """The pages with a font for their equations."""
+    pages = {
+        name: content.decode()
+        for name, content in files.items()
+        if name.endswith(".html")
+    }
+    return {n: p.encode() for n, p in with_math_font(pages).items()}
+
+
 def _extras(
     root: Path,
-    files: dict[str, bytes],
+    student: Mapping[str, bytes],
     languages: Sequence[Language],
     edition: Edition,
     say: Say,
-) -> dict[str, bytes]:
+) -> Files:
     """Notebooks and script, with the text of the students' pages."""
     stamp = f"occgrid {edition.version}, commit {edition.commit}, {COMMAND}"
     made = {}
@@ -158,7 +213,8 @@ def _extras(
             continue
         file, _ = EXTRAS[language.id]
         say(file)
-        blocks = read_blocks(read_page(files[f"{language.id}.html"].decode()))
+        page = read_page(student[f"{language.id}.html"].decode())
+        blocks = read_blocks(page)
         title = f"Occupancy grid mapping: {language.name}"
         if language.id == "python":
             notebook = make_notebook(title, stamp, blocks)
@@ -170,3 +226,36 @@ def _extras(
             text = notebook_expression(title, stamp, blocks)
         made[file] = text.encode()
     return made
+
+
+def _zip_files(
+    root: Path,
+    languages: Sequence[Language],
+    edition: Edition,
+    student: Mapping[str, bytes],
+    pages: Mapping[str, bytes],
+    stages: Mapping[str, Sequence[Stage]],
+) -> Files:
+    """For each language, the students' edition and the starter."""
+    made = {}
+    for language in languages:
+        extra = EXTRAS.get(language.id, (None, ""))[0]
+        made[f"student/{package_name(language)}.zip"] = make_package(
+            root, language, edition, student, extra, pages
+        )
+        made[f"student/starter-{language.id}.zip"] = starter_zip(
+            language, stages[language.id], edition
+        )
+    return made
+
+
+def _solutions(
+    languages: Sequence[Language], stages: Mapping[str, Sequence[Stage]]
+) -> Files:
+    """The solutions of the exercises as patches, for instructors."""
+    return {
+        f"instructor/solutions/{language.id}/"
+        f"exercise-{stage.exercise.number}.patch": stage.patch.encode()
+        for language in languages
+        for stage in stages[language.id]
+    }

@@ -9,7 +9,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from occgrid_handouts.building import build
+from occgrid_handouts.durations import DurationRecord
+from occgrid_handouts.function_bodies import CutError
 from occgrid_handouts.languages import BY_ID, LANGUAGES
+from occgrid_handouts.missing import IncompleteError
 from occgrid_handouts.project import ROOT, current_edition
 from occgrid_handouts.typesetting import TypesettingError
 from occgrid_parity.ports.snippets import SnippetError
@@ -37,6 +40,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--jobs", type=int, default=2, help="processes side by side"
     )
+    parser.add_argument(
+        "--partial",
+        action="store_true",
+        help="go on where something cannot be made or measured here, and say in the text what is missing",
+    )
     parser.add_argument("--quiet", action="store_true", help="say nothing")
     options = parser.parse_args(arguments)
     chosen = options.language or [language.id for language in LANGUAGES]
@@ -46,17 +54,28 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not options.quiet:
             print(f"{time.monotonic() - started:6.1f} s  {text}", flush=True)
 
+    chosen_languages = [one for one in LANGUAGES if one.id in chosen]
+    record = DurationRecord(ROOT / "build" / "handouts-seconds")
+    say(record.announcement(chosen_languages))
     try:
         files = build(
             ROOT,
             options.out.resolve(),
-            [language for language in LANGUAGES if language.id in chosen],
+            chosen_languages,
             current_edition(),
             options.jobs,
             say,
+            options.partial,
         )
-    except (SnippetError, TypesettingError, FileExistsError) as error:
+    except (
+        SnippetError,
+        CutError,
+        TypesettingError,
+        FileExistsError,
+        IncompleteError,
+    ) as error:
         print(f"handouts: {error}", file=sys.stderr)
         return 1
     say(f"{len(files)} files in {options.out}")
+    record.keep(chosen_languages, time.monotonic() - started)
     return 0

@@ -21,11 +21,12 @@ from occgrid_handouts.mathml import boxes, wolfram_string
 from occgrid_handouts.page_tree import Element
 
 SETUP = """\
-(* The notebook lies somewhere in the suite's folder. *)
+(* The notebook lies beside the folder mathematica, or in a folder below. *)
+package = FileNameJoin[{"mathematica", "OccupancyGrid.wl"}];
 root = NestWhile[ParentDirectory, NotebookDirectory[],
-  (! FileExistsQ[FileNameJoin[{#, "SPEC.md"}]]) &];
+  (! FileExistsQ[FileNameJoin[{#, package}]]) && # =!= ParentDirectory[#] &];
 SetDirectory[root];
-Get[FileNameJoin[{root, "mathematica", "OccupancyGrid.wl"}]];"""
+Get[package];"""
 
 
 def notebook_expression(

@@ -24,14 +24,14 @@ from occgrid_handouts.page_tree import Element
 COLUMNS = 75
 
 SETUP = """\
-% The script lies somewhere in the suite's folder, or is run from there.
+% The script lies beside the folder matlab, or in a folder below.
 root = fileparts(mfilename('fullpath'));
-while ~exist(fullfile(root, 'SPEC.md'), 'file') && ...
+if isempty(root)
+    root = pwd;
+end
+while ~exist(fullfile(root, 'matlab', '+occgrid'), 'dir') && ...
         ~strcmp(root, fileparts(root))
     root = fileparts(root);
-end
-if ~exist(fullfile(root, 'SPEC.md'), 'file')
-    root = pwd;
 end
 cd(root);
 addpath(fullfile(root, 'matlab'));"""

@@ -26,22 +26,25 @@ from occgrid_handouts.blocks import (
     Program,
     Table,
 )
+from occgrid_handouts.machine import time_limit
 from occgrid_handouts.mathml import latex
 from occgrid_handouts.page_tree import Element
 
 SETUP = """\
-# The notebook lies somewhere in the suite's folder, or is run from there.
+# The notebook lies beside the folder python, or in a folder below.
 import os
 import sys
 from pathlib import Path
 from typing import Any
 
 here = Path.cwd()
-root = next(p for p in (here, *here.parents) if (p / "SPEC.md").is_file())
+places = (here, *here.parents)
+root = next(p for p in places if (p / "python" / "occgrid").is_dir())
 os.chdir(root)
 sys.path.insert(0, str(root / "python"))"""
 
-SECONDS = 90
+# for one cell, on an idle desktop computer
+SECONDS = 30
 
 # nbformat has no types
 V4: Any = nbformat.v4
@@ -109,7 +112,7 @@ def run_notebook(notebook: nbformat.NotebookNode, folder: Path) -> None:
         client = NotebookClient(
             notebook,
             kernel_name="python3",
-            timeout=SECONDS,
+            timeout=round(time_limit(SECONDS)),
             record_timing=False,
             coalesce_streams=True,
             resources={"metadata": {"path": str(folder)}},

@@ -16,6 +16,7 @@ import numpy.typing as npt
 from occgrid.mapper import map_scenario
 from occgrid.scenario import read_scenario
 from occgrid_handouts.languages import Language
+from occgrid_handouts.machine import time_limit
 from occgrid_handouts.platform_math import search_path
 from occgrid_handouts.snippets import source_files
 from occgrid_parity.ports.declaration import Port
@@ -148,12 +149,12 @@ def _run(port: Port, root: Path, folder: Path, words: Sequence[str]) -> str:
             env=environment,
             capture_output=True,
             text=True,
-            timeout=port.timeout,
+            timeout=time_limit(port.timeout),
         )
     except OSError:
         return f"occgrid-parity build {port.name}"
-    except subprocess.TimeoutExpired:
-        return f"took over {port.timeout:g} s"
+    except subprocess.TimeoutExpired as error:
+        return f"took over {error.timeout:.0f} s"
     if done.returncode != 0:
         lines = done.stderr.strip().splitlines()
         return lines[-1] if lines else f"status {done.returncode}"

@@ -6,6 +6,7 @@ import typer
 from rich.console import Console
 
 from occgrid.scenario import ScenarioError
+from occgrid_parity.check.starter import starter_lines
 from occgrid_parity.commands.check_arguments import (
     DEFAULT_OUT,
     ClassFolder,
@@ -83,12 +84,15 @@ def check_command(
         outputs.validate(class_folder)
         program = subject.program(timeout)
         problem = golden_problem(LESSON, NOISE_FREE)
+        about_starter = [] if port is None else starter_lines(port)
     except (OSError, ValueError, ScenarioError) as error:
         print_plain(Console(stderr=True), str(error))
         raise typer.Exit(2) from error
     if problem is not None:
         print_plain(console, problem)
         raise typer.Exit(1)
+    for line in about_starter:
+        print_plain(console, line)
     request = CheckRequest(
         outputs, limits, cases, modes, timeout, explain, jobs
     )

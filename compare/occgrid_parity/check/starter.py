@@ -1,0 +1,209 @@
+"""The functions of an exercise: which are missing, and which are wrong in which case.
+
+A starter of the handouts has a ``starter.toml`` beside its port.toml: the number and title of the exercise, a scenario,
+and its functions with the shared vectors that try them. The check says this before its levels.
+"""
+
+from __future__ import annotations
+
+import re
+import struct
+import tempfile
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+from occgrid_parity.ports.building import build_port
+from occgrid_parity.ports.declaration import Port, read_port
+from occgrid_parity.ports.declaration_reader import (
+    DeclarationReader,
+    PortError,
+)
+from occgrid_parity.ports.probing import ProbeError, run_probe
+from occgrid_parity.processes.process_group import run_process
+from occgrid_parity.suite.cases import scenario_folder
+
+STARTER = "starter.toml"
+# how many of a file's last columns are results
+RESULTS = {
+    "logit": 1,
+    "update_cell": 1,
+    "world_to_grid": 2,
+    "bresenham": 1,
+    "read_ranges": 3,
+    "beam_endpoints": 2,
+}
+NOT_WRITTEN = re.compile(r"exercise \d+: (\w+) is not written yet")
+DOUBLE = re.compile(r"[0-9a-f]{16}")
+WIDEST_ANSWER = 120
+
+
+@dataclass(frozen=True)
+class StarterFunction:
+    """A function of the exercise; without ``vectors`` only whole maps try it."""
+
+    name: str
+    vectors: str
+
+
+@dataclass(frozen=True)
+class Starter:
+    """What a starter.toml says."""
+
+    exercise: int
+    title: str
+    scenario: str
+    functions: tuple[StarterFunction, ...]
+
+
+def read_starter(folder: Path) -> Starter | None:
+    """The starter in a folder; None where it is none. Raises PortError where its file cannot be used."""
+    path = folder / STARTER
+    if not path.is_file():
+        return None
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise PortError(f"{path}: {error}") from error
+    reader = DeclarationReader(path, table)
+    exercise = reader.count("exercise")
+    if exercise is None:
+        raise reader.error("exercise must be a whole number above 0")
+    title, scenario = reader.text("title"), reader.text("scenario")
+    entries = reader.table.pop("functions", None)
+    if not isinstance(entries, list) or not entries:
+        raise reader.error("functions must be tables [[functions]]")
+    functions = tuple(_function(reader, entry) for entry in entries)
+    reader.no_more_keys()
+    if not (scenario_folder() / f"{scenario}.log").is_file():
+        raise reader.error(f"no scenario is named {scenario}")
+    return Starter(exercise, title, scenario, functions)
+
+
+def _function(reader: DeclarationReader, entry: object) -> StarterFunction:
+    inner = DeclarationReader(
+        reader.path, entry if isinstance(entry, dict) else {}
+    )
+    vectors = inner.table.pop("vectors", "")
+    if vectors and vectors not in RESULTS:
+        raise reader.error(f"there are no vectors {vectors}")
+    function = StarterFunction(inner.text("name"), str(vectors))
+    inner.no_more_keys()
+    return function
+
+
+def starter_lines(declaration: Path) -> list[str]:
+    """What to say about the starter whose port.toml this is; nothing where it is none.
+
+    Builds it first. Raises PortError where one of its files cannot be used.
+    """
+    starter = read_starter(declaration.parent)
+    if starter is None:
+        return []
+    port = read_port(declaration)
+    lines = [f"exercise {starter.exercise}: {starter.title}"]
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        built = build_port(port, folder)
+        if built.problem:
+            return [*lines, f"  it does not build: {built.problem}"]
+        for function in starter.functions:
+            found = _look_at(port, starter, function, folder)
+            lines.append(f"  {function.name}: {found}")
+    return lines
+
+
+def _look_at(
+    port: Port, starter: Starter, function: StarterFunction, folder: Path
+) -> str:
+    if not function.vectors:
+        return _in_the_program(port, starter, function, folder)
+    questions, answers = _vectors(function.vectors)
+    try:
+        found = run_probe(port, function.vectors, questions, folder)
+    except ProbeError as error:
+        said = folder / f"{port.name}.{function.vectors}.stderr"
+        missing = _missing(said)
+        if missing == function.name:
+            return "not written yet"
+        if missing:
+            return f"cannot be tried before {missing} is written"
+        return f"no answer: {error}"
+    wrong = [
+        (question, right, answer)
+        for question, right, answer in zip(
+            questions, answers, found, strict=False
+        )
+        if right != answer
+    ]
+    if not wrong:
+        return f"right in all {len(found)} cases"
+    question, right, answer = wrong[0]
+    return (
+        f"wrong in {len(wrong)} of {len(found)} cases; the first: "
+        f"{function.name}({_short(question)}) is {_short(right)}, not {_short(answer)}"
+    )
+
+
+def _in_the_program(
+    port: Port, starter: Starter, function: StarterFunction, folder: Path
+) -> str:
+    """Whether a run of the whole program comes to the function and finds it written."""
+    scenario = str(scenario_folder() / f"{starter.scenario}.log")
+    out = folder / f"out-{function.name}"
+    out.mkdir()
+    said = folder / f"{function.name}.run.stderr"
+    run_process(
+        port.command(
+            port.run,
+            mode=["--noise-free"],
+            out=out,
+            scenario=scenario,
+            scenarios=[scenario],
+        ),
+        cwd=port.folder,
+        stdout=folder / f"{function.name}.run.stdout",
+        stderr=said,
+        time_limit=port.timeout,
+    )
+    missing = _missing(said)
+    if missing == function.name:
+        return "not written yet"
+    if missing:
+        return f"cannot be tried before {missing} is written"
+    return "written; whole maps show whether it is right"
+
+
+def _missing(said: Path) -> str:
+    """The function that a program says is not written, on its standard error; empty where it says so of none."""
+    match = NOT_WRITTEN.search(said.read_text("utf-8", "replace"))
+    return match[1] if match else ""
+
+
+def _vectors(function: str) -> tuple[list[str], list[str]]:
+    """The cases of a function: arguments and right results, as the probe takes and gives them."""
+    path = scenario_folder() / "vectors" / f"{function}.csv"
+    rows = [line.split(",") for line in path.read_text("ascii").splitlines()]
+    results = RESULTS[function]
+    return (
+        [" ".join(row[:-results]) for row in rows[1:]],
+        [" ".join(row[-results:]) for row in rows[1:]],
+    )
+
+
+def _short(text: str) -> str:
+    """A question or an answer to be read: doubles as decimals, and not too long."""
+    words = [
+        repr(struct.unpack(">d", bytes.fromhex(word))[0])
+        if DOUBLE.fullmatch(word)
+        else word
+        for word in "".join(
+            c if c.isprintable() else "?" for c in text
+        ).split()
+    ]
+    plain = " ".join(words)
+    return (
+        plain
+        if len(plain) <= WIDEST_ANSWER
+        else plain[: WIDEST_ANSWER - 3] + "..."
+    )
