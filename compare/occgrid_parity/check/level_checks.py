@@ -172,4 +172,4 @@ class LevelChecks:
         titles += [(plan.name, plan.title) for plan in self.plans]
         for name, title in titles:
             if name not in known:
-                self._add(name, title, "not reached")
+                self._add(name, title, "grey")

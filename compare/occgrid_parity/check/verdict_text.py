@@ -18,7 +18,7 @@ MARKS = {
     "passed": "passed",
     "failed": "FAILED",
     "not checked": "not checked",
-    "not reached": "not reached",
+    "grey": "cannot be judged",
 }
 
 
