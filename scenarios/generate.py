@@ -230,6 +230,48 @@ def robotlaser1() -> str:
     )
 
 
+def mixed() -> str:
+    """Simulated and recorded scans in turn; where the file says two poses, they are far apart."""
+    scans = []
+    for k in range(4):
+        pose = Pose(0.31 + 0.4 * k, 0.27 * k - 0.4, 0.37 * k)
+        odometry = Pose(pose.x - 0.83, pose.y + 0.61, pose.theta + 0.9)
+        ranges = _wavy(9 + k, 3.1)
+        scans += [
+            _pose(pose),
+            _flaser(pose, ranges, odometry=odometry, host="#3"),
+            _robotlaser1(pose, -1.1, 0.27, ranges, robot=odometry),
+        ]
+    return _text(
+        "Simulated and recorded scans in turn: only the simulated ones get noise, and all count. The poses of FLASER's "
+        "odometry and of ROBOTLASER1's robot are not the laser's.",
+        [
+            *_grid(41, 33, 0.2, -3.05, -3.33, 4.0),
+            *_params(fov=4.4, beams=23, noise_std=0.25),
+            "WALL -2.1 -2 3.3 -1.7",
+            "WALL 3.3 -1.7 2.9 2.4",
+        ],
+        scans,
+    )
+
+
+def powers() -> str:
+    """Odds that are powers of 2: log-odds that exp reduces to nearly nothing."""
+    third = 1.0 / 3.0
+    return _text(
+        "Odds that are powers of 2, and bounds beyond 10: exp must scale what it has reduced to almost 0.",
+        [
+            *_grid(12, 9, 1.0, 0.0, 0.0, 20.0),
+            *_params(p_occ=1.0 - third, p_free=third, l_min=-30.0, l_max=14.0),
+        ],
+        [
+            _beam_to(Pose(1.5, 1.5, 0.0), 2.0 + k % 8, float(k % 3))
+            for k in range(60)
+        ]
+        + [_beam_to(Pose(1.5, 5.5, 0.0), 3.0, 0.0)] * 25,
+    )
+
+
 def formats() -> str:
     """All that the file format allows, with CRLF line ends."""
     lines = [
@@ -279,6 +321,8 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "asymmetric": asymmetric,
     "flaser": flaser,
     "robotlaser1": robotlaser1,
+    "mixed": mixed,
+    "powers": powers,
     "formats": formats,
 }
 
@@ -294,9 +338,7 @@ def _lesson(reason: str, origin_x: float, origin_y: float) -> str:
         *_params(fov=s.fov, beams=s.beams, noise_std=s.noise_std),
         *(" ".join(["WALL", *map(_number, wall)]) for wall in lesson_world()),
     ]
-    poses = (
-        " ".join(["POSE", *map(_number, pose)]) for pose in lesson_poses()
-    )
+    poses = (_pose(pose) for pose in lesson_poses())
     return _text(reason, head, poses)
 
 
@@ -336,16 +378,23 @@ def _beam_to(pose: Pose, dx: float, dy: float) -> str:
     )
 
 
+def _pose(pose: Pose) -> str:
+    """A simulated scan."""
+    return " ".join(["POSE", *map(_number, pose)])
+
+
 def _robotlaser1(
     pose: Pose,
     start: float,
     step: float,
     ranges: Sequence[str],
     remissions: int = 0,
+    robot: Pose | None = None,
 ) -> str:
     where = list(map(_number, pose))
+    base = list(map(_number, robot or pose))
     head = ["0", _number(start), _number(step * len(ranges)), _number(step)]
-    tail = [*where, *where, "0", "0", "0", "0", "0", "0", "host", "0"]
+    tail = [*where, *base, "0", "0", "0", "0", "0", "0", "host", "0"]
     fields = [*head, "81.91", "0.01", "0", str(len(ranges)), *ranges]
     fields += [
         str(remissions),
@@ -355,9 +404,15 @@ def _robotlaser1(
     return " ".join(["ROBOTLASER1", *fields])
 
 
-def _flaser(pose: Pose, ranges: Sequence[str]) -> str:
+def _flaser(
+    pose: Pose,
+    ranges: Sequence[str],
+    odometry: Pose | None = None,
+    host: str = "host",
+) -> str:
     where = list(map(_number, pose))
-    tail = [*where, *where, "0", "host", "0"]
+    moved = list(map(_number, odometry or pose))
+    tail = [*where, *moved, "0", host, "0"]
     return " ".join(["FLASER", str(len(ranges)), *ranges, *tail])
 
 

@@ -15,6 +15,20 @@ from occgrid_parity.suite.modes import Mode
 MOST_LINES = 50_000
 
 
+WHOLE_SCAN = (
+    "each beam of this scan is right with its bearing written out in the pose, so look at how you compute the bearings "
+    "(start, step, count), or at what the beams of one scan do to each other"
+)
+CUT_SCAN = (
+    "each beam of this scan is right when the scan is cut, so look at how the line is read: the fields that a "
+    "shorter scan writes anew, and the bearings (start, step, count)"
+)
+DIFFERS_WHOLE = (
+    "the scan's beams are wrong one by one, too, but in another way than together, so look at how you compute the "
+    "bearings (start, step, count), or at what the beams of one scan do to each other"
+)
+
+
 class Trial(NamedTuple):
     """A run on a shortened scenario: the map, how it compares, and whether that counts as different."""
 
@@ -88,13 +102,10 @@ def _in_scan(
     if beams > 1 or history or shortener.is_simulated(scan):
         cut_whole = cut.attempt(beams)
         if not cut_whole.differs:
-            why = "its beams one by one are mapped as the reference maps them, so the mistake is in the scan as a whole"
+            why = WHOLE_SCAN if shortener.is_simulated(scan) else CUT_SCAN
             return Found(scan, None, trial, before, why=why)
         if not _same(cut_whole, trial):
-            why = (
-                "it maps the scan's beams one by one differently from the whole scan, so the mistake is in the scan "
-                "as a whole"
-            )
+            why = DIFFERS_WHOLE
             return Found(scan, None, trial, before, why=why)
         trial = cut_whole
     beam, trial, before = cut.first(trial)
