@@ -37,8 +37,8 @@ def check_bad_input(runner: Runner) -> tuple[Level, int]:
     count = sum(map(len, wrong.values()))
     said = [f"{listed(files)}: {problem}" for problem, files in wrong.items()]
     message = (
-        f"{count} of {len(cases)} scenarios that break a rule are not refused as SPEC.md section 8 says (an exit status "
-        f"that is not 0, and FILE:LINE: REASON on standard error). {'; '.join(said)}"
+        f"{count} of {len(cases)} scenarios that break a rule are not refused as SPEC.md section 8 says (an exit "
+        f"status that is not 0, and FILE:LINE: REASON on standard error). {'; '.join(said)}"
     )
     word = "bad input"
     return Level(*BAD_INPUT, "failed", word, message), len(cases)

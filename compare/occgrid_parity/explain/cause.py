@@ -7,7 +7,7 @@ import threading
 from collections.abc import Sequence
 
 from occgrid_parity.explain.findings import Cause, Likely
-from occgrid_parity.explain.mistaken_maps import Evidence, MistakenMaps
+from occgrid_parity.explain.mistaken_maps import LARGE, Evidence, MistakenMaps
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.arithmetic import PLATFORM, PORTABLE, Arithmetic
 from occgrid_parity.model.mapper_steps import Mapper
@@ -68,9 +68,11 @@ def find_halves_cause(evidence: Sequence[Evidence]) -> Cause:
         if mistake.pixel is not Mapper.pixel
     ]
     maps = MistakenMaps()
+    small = [one for one in evidence if one.observed.pixels.size < LARGE]
+    small = small or list(evidence)
     for name, numbers in ARITHMETIC.items():
-        # a map that the contract draws in this arithmetic needs no mistake
-        if _matching(maps, [Mapper], evidence, numbers):
+        # maps that the contract draws in this arithmetic need no mistake
+        if _matching(maps, [Mapper], small, numbers):
             break
         found = _matching(maps, mistakes, evidence, numbers)
         if found:
