@@ -58,7 +58,7 @@ for t in range(120):
         ranges = np.clip(ranges + noise, 0, ZMAX)
     step = np.zeros((H, W))
     gx0, gy0 = int(np.floor((x - OX) / RES)), int(np.floor((y - OY) / RES))
-    for a, z in zip(theta + bearings, ranges):
+    for a, z in zip(theta + bearings, ranges, strict=True):
         gx1 = int(np.floor((x + z * np.cos(a) - OX) / RES))
         gy1 = int(np.floor((y + z * np.sin(a) - OY) / RES))
         gx, gy = line(gx0, gy0, gx1, gy1)
