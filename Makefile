@@ -27,6 +27,8 @@ endif
 
 clang-format = find cpp/src cpp/tests bench -name "*.[ch]pp" -exec clang-format --style=file:cpp/.clang-format $1 {} +
 SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
+# A test's file goes to one worker as a whole: its tests share maps.
+WORKERS := -n $(JOBS) --dist loadfile
 MVN := mvn -B -ntp -Dstyle.color=never
 JDK := openjdk-17-jdk-headless
 # The MATLAB sources are held to a style where there is one.
@@ -42,11 +44,16 @@ all: setup-run  ## Set up, build every port, map every scenario, print the table
 	$(BIN)/occgrid-parity run --jobs $(JOBS) --report build/report $(if $(CI),,--allow-skipped)
 
 .PHONY: test
-test: setup  ## Every test there is; ends with a table of what passed
+test: setup  ## The tests of everything; ends with a table of what passed
 	@scripts/part --start $(PARTS) $(LAST_PARTS)
 	@$(MAKE) --no-print-directory -k -j$(JOBS) $(SYNC) $(PARTS:%=run-test-%) || true
-	@$(MAKE) --no-print-directory -k -j$(JOBS) $(SYNC) $(LAST_PARTS:%=run-test-%) || true
+	@$(MAKE) --no-print-directory -k -j1 $(LAST_PARTS:%=run-test-%) || true
 	@scripts/part --report
+
+.PHONY: test-long
+test-long: setup  ## What rarely fails and takes long: other compilers and flags, long random campaigns
+	$(BIN)/occgrid-parity build --jobs $(JOBS)
+	$(BIN)/pytest $(WORKERS) -m long compare/
 
 .PHONY: setup setup-run
 setup:  ## Install what is missing: Debian's packages, Python's in .venv
@@ -143,7 +150,7 @@ run-test-bench:
 	@scripts/part bench 'pytest' 'pytest bench/tests'
 
 run-test-compare:
-	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest compare/'
+	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest $(WORKERS) -m "not long" compare/'
 
 run-test-handouts:
 	@scripts/part handouts 'pytest' 'occgrid-parity build --jobs 1 --allow-skipped; \

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import pickle
 import sys
 import textwrap
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 import pytest
+from filelock import FileLock
 
 from occgrid_parity.ports.building import Built, build_ports
 from occgrid_parity.ports.declaration import Port, read_port
@@ -19,9 +22,12 @@ from occgrid_parity.suite.repository import find_root
 
 from .reported import Ran, run_and_report
 
+T = TypeVar("T")
 ROOT = find_root(Path(__file__).parent)
 PORTS = find_ports(ROOT)
-JOBS = 2
+WORKERS = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+JOBS = 2 if WORKERS == 1 else 1
+"""Processes at a time in one worker: two cores are busy already where there are several workers."""
 REAL_LOGS = "test_real_logs.py"
 
 
@@ -60,6 +66,23 @@ def pytest_terminal_summary(
         )
 
 
+def once(
+    folders: pytest.TempPathFactory, name: str, make: Callable[[], T]
+) -> T:
+    """What ``make`` gives, made by the first worker that needs it and read by the others."""
+    if WORKERS == 1:
+        return make()
+    shared = folders.getbasetemp().parent
+    kept = shared / f"{name}.pickle"
+    with FileLock(shared / f"{name}.lock"):
+        if not kept.is_file():
+            made = make()
+            kept.write_bytes(pickle.dumps(made))
+            return made
+        found: T = pickle.loads(kept.read_bytes())
+        return found
+
+
 @pytest.fixture(scope="session")
 def root() -> Path:
     """The repository."""
@@ -68,9 +91,13 @@ def root() -> Path:
 
 @pytest.fixture(scope="session")
 def built(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Built]:
-    """Every port, built, by its name."""
-    logs = tmp_path_factory.mktemp("builds")
-    return {b.port.name: b for b in build_ports(PORTS, logs, JOBS, Silent())}
+    """Every port, built, by its name: once, whatever the number of workers."""
+
+    def build() -> list[Built]:
+        logs = tmp_path_factory.mktemp("builds")
+        return build_ports(PORTS, logs, JOBS, Silent())
+
+    return {b.port.name: b for b in once(tmp_path_factory, "builds", build)}
 
 
 @pytest.fixture(scope="session")

@@ -21,6 +21,8 @@ from occgrid_parity.suite.scenarios import choose_scenarios
 
 from .conftest import JOBS, ROOT, unavailable
 
+pytestmark = pytest.mark.long
+
 COMPILERS = {"g++": "g++", "clang++": "clang"}
 """Command, and the package that brings it."""
 

@@ -1,4 +1,4 @@
-"""The parity matrix: every port, every scenario, both modes, every bit."""
+"""The parity matrix: every port, every scenario, both modes, fast and plain, every bit."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ from pathlib import Path
 
 import pytest
 
+from occgrid_parity.compare.mapping import left_out
 from occgrid_parity.compare.matrix_run import Plan, run
 from occgrid_parity.compare.run_record import RunRecord
 from occgrid_parity.formats.map_files import SUFFIXES
 from occgrid_parity.ports.building import Built
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.report.run_table import explain_result
-from occgrid_parity.suite.modes import DEFAULT_MODES
-from occgrid_parity.suite.scenarios import choose_scenarios
+from occgrid_parity.suite.modes import PORT_MODES
+from occgrid_parity.suite.scenarios import BUILT_IN_NAME, choose_scenarios
 
 from .conftest import JOBS, PORTS, ROOT
 
@@ -31,7 +32,7 @@ def matrix(
     plan = Plan(
         ports=PORTS,
         scenarios=SCENARIOS,
-        modes=DEFAULT_MODES,
+        modes=PORT_MODES,
         folder=tmp_path_factory.mktemp("matrix"),
         golden=root / "scenarios" / "golden",
         jobs=JOBS,
@@ -40,9 +41,16 @@ def matrix(
     return run(plan)
 
 
-@pytest.mark.parametrize("mode", [mode.name for mode in DEFAULT_MODES])
-@pytest.mark.parametrize("scenario", [scenario.name for scenario in SCENARIOS])
-@pytest.mark.parametrize("port", [port.name for port in PORTS])
+CASES = [
+    pytest.param(port.name, scenario.name, mode.name)
+    for port in PORTS
+    for scenario in SCENARIOS
+    for mode in PORT_MODES
+    if left_out(port, scenario, mode) is None
+]
+
+
+@pytest.mark.parametrize(("port", "scenario", "mode"), CASES)
 def test_map(
     matrix: RunRecord,
     need: Callable[[str], Port],
@@ -78,3 +86,19 @@ def test_tells_its_version(
 ) -> None:
     need(port)
     assert str(built[port].version).startswith("occgrid ")
+
+
+@pytest.mark.parametrize("port", [port.name for port in PORTS])
+def test_maps_the_lesson_by_its_plain_program(port: str) -> None:
+    """What a slow port leaves out is never all there is of a scenario or of its plain program."""
+    chosen = {p.name: p for p in PORTS}[port]
+    kept = [
+        (scenario.name, mode.name)
+        for scenario in SCENARIOS
+        for mode in PORT_MODES
+        if left_out(chosen, scenario, mode) is None
+    ]
+    assert (BUILT_IN_NAME, "noise-free-plain") in kept
+    assert {name for name, mode in kept if not mode.endswith("plain")} == {
+        scenario.name for scenario in SCENARIOS
+    }

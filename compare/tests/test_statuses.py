@@ -493,16 +493,16 @@ def test_the_command_ends_with_0_only_if_all_is_identical(
     fake("x")
     status, text = cli(fake_root)
     assert status == 0, text
-    assert "16 maps: 8 reference, 8 identical" in text
+    assert "32 maps: 16 reference, 16 identical" in text
     assert f"pictures and run.json: {fake_root / 'out'}" in text
-    assert "[1/10] " in text
+    assert "[1/18] " in text
     fake("y", ONE_BIT)
     status, text = cli(fake_root, "--json", str(fake_root / "copy.json"))
     assert status == 1
     assert "b.logodds: 1 of 6 cells differ from python" in text
     assert (
         from_json((fake_root / "copy.json").read_text()).counts()["differs"]
-        == 2
+        == 4
     )
     assert cli(fake_root, "--port", "x")[0] == 0
     assert (

@@ -34,7 +34,7 @@ from occgrid_parity.report.run_table import (
     matrix_table,
     summary,
 )
-from occgrid_parity.suite.modes import DEFAULT_MODES, parse_mode
+from occgrid_parity.suite.modes import PORT_MODES, parse_mode
 from occgrid_parity.suite.repository import find_root
 from occgrid_parity.suite.scenarios import choose_scenarios
 
@@ -105,7 +105,7 @@ def run_command(
             Plan(
                 ports=chosen,
                 scenarios=chosen_scenarios,
-                modes=chosen_modes or DEFAULT_MODES,
+                modes=chosen_modes or PORT_MODES,
                 folder=folder,
                 golden=found / "scenarios" / "golden",
                 jobs=jobs,

@@ -11,7 +11,7 @@ from pathlib import Path
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.process_group import Finished, run_process
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenarios import ScenarioFile
+from occgrid_parity.suite.scenarios import ScenarioFile, count_scans
 
 
 @dataclass(frozen=True)
@@ -25,15 +25,37 @@ class Mapped:
     finished: Finished
 
 
+def left_out(port: Port, scenario: ScenarioFile, mode: Mode) -> str | None:
+    """Why a port does not map this one, or None where it does.
+
+    A slow port maps by its plain program what has few scans, and the built-in lesson once.
+    """
+    most = port.plain_scans
+    if most is None or not mode.plain:
+        return None
+    if scenario.path is None:
+        if mode.seed is None:
+            return None
+    elif count_scans(scenario.path) <= most:
+        return None
+    return f"plain, it maps scenarios of at most {most} scans and the built-in lesson without noise"
+
+
 def batches(
-    port: Port, scenarios: Sequence[ScenarioFile]
+    port: Port, scenarios: Sequence[ScenarioFile], mode: Mode
 ) -> list[list[ScenarioFile]]:
-    """The scenarios as they go to processes: the built-in lesson alone."""
-    files = [scenario for scenario in scenarios if scenario.path is not None]
-    alone = [[scenario] for scenario in scenarios if scenario.path is None]
+    """The scenarios as they go to processes: the built-in lesson alone, those of a slow port a few at a time."""
+    mapped = [one for one in scenarios if left_out(port, one, mode) is None]
+    files = [scenario for scenario in mapped if scenario.path is not None]
+    alone = [[scenario] for scenario in mapped if scenario.path is None]
     if not files:
         return alone
-    return alone + ([files] if port.takes_many else [[file] for file in files])
+    at_once = port.scenarios_at_once or max(1, len(files))
+    if not port.takes_many:
+        at_once = 1
+    return alone + [
+        files[i : i + at_once] for i in range(0, len(files), at_once)
+    ]
 
 
 def map_batch(
@@ -50,7 +72,9 @@ def map_batch(
     """
     if len(batch) == 1:
         return [_run(port, mode, batch, folder / _place(batch[0]), stop)]
-    together = _run(port, mode, batch, folder / "scenarios", stop)
+    together = _run(
+        port, mode, batch, folder / f"scenarios-from-{batch[0].name}", stop
+    )
     if (
         together.finished.succeeded
         or together.finished.start_error is not None

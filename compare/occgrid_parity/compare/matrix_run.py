@@ -27,7 +27,7 @@ from occgrid_parity.ports.building import Built, build_ports
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.progress import Progress, Silent
-from occgrid_parity.suite.modes import DEFAULT_MODES, Mode
+from occgrid_parity.suite.modes import PORT_MODES, Mode
 from occgrid_parity.suite.scenarios import ScenarioFile
 
 REFERENCE = "python"
@@ -45,7 +45,7 @@ class Plan:
     ports: Sequence[Port]
     scenarios: Sequence[ScenarioFile]
     folder: Path
-    modes: Sequence[Mode] = DEFAULT_MODES
+    modes: Sequence[Mode] = PORT_MODES
     golden: Path | None = None
     jobs: int = 2
     built: Sequence[Built] | None = None
@@ -126,7 +126,7 @@ def _map_all(plan: Plan, ports: Sequence[Port]) -> list[Mapped]:
         (port, mode, batch)
         for port in slow_first
         for mode in plan.modes
-        for batch in batches(port, plan.scenarios)
+        for batch in batches(port, plan.scenarios, mode)
     ]
 
     def run_one(
@@ -153,8 +153,11 @@ def _map_all(plan: Plan, ports: Sequence[Port]) -> list[Mapped]:
 def _steps(plan: Plan) -> int:
     """How many steps the run tells its progress, if nothing goes wrong."""
     builds = len(plan.ports) if plan.built is None else 0
-    maps = sum(len(batches(port, plan.scenarios)) for port in plan.ports)
-    return builds + maps * len(plan.modes)
+    return builds + sum(
+        len(batches(port, plan.scenarios, mode))
+        for port in plan.ports
+        for mode in plan.modes
+    )
 
 
 def _port_record(plan: Plan, built: Built) -> PortRecord:

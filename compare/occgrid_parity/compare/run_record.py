@@ -18,7 +18,9 @@ from occgrid_parity.formats.json_records import from_plain, json_text
 SCHEMA = 1
 RECORD_FILE = "run.json"
 
-Status = Literal["identical", "differs", "error", "timeout", "skipped"]
+Status = Literal[
+    "identical", "differs", "error", "timeout", "skipped", "left out"
+]
 STATUSES: tuple[Status, ...] = typing.get_args(Status)
 
 
@@ -71,6 +73,8 @@ class ProcessRecord:
 @dataclass(frozen=True)
 class Result:
     """One port, one scenario, one mode.
+
+    ``left out``: the port's declaration says that it is too slow for this one (see Port.plain_scans).
 
     ``process`` is the index of its process in the run's list; ``compared_with`` says
     which results it was held against (the reference port compares with golden only).
@@ -143,11 +147,13 @@ class RunRecord:
         return {s: sum(r.status == s for r in self.results) for s in STATUSES}
 
     def is_identical(self, allow_skipped: bool = False) -> bool:
-        """Whether every result is ``identical`` (or skipped, where that is allowed).
+        """Whether every result is ``identical`` or left out (or skipped, where that is allowed).
 
         A run in which nothing was compared with anything is not.
         """
-        allowed = {"identical", "skipped"} if allow_skipped else {"identical"}
+        allowed = {"identical", "left out"}
+        if allow_skipped:
+            allowed.add("skipped")
         return all(
             result.status in allowed for result in self.results
         ) and any(result.compared_with for result in self.results)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from occgrid_parity.compare.map_comparison import compare_golden, compare_maps
-from occgrid_parity.compare.mapping import Mapped
+from occgrid_parity.compare.mapping import Mapped, left_out
 from occgrid_parity.compare.run_record import Difference, Result, Status
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.map_files import MapOutput, read_map, same_files
@@ -103,6 +103,10 @@ class _CaseComparison:
         if built.problem:
             status: Status = "skipped" if built.skipped else "error"
             return replace(blank, status=status, reason=built.problem)
+        if (
+            reason := left_out(built.port, self.scenario, self.mode)
+        ) is not None:
+            return replace(blank, status="left out", reason=reason)
         index, one = self.places[(name, self.scenario.name, self.mode.name)]
         blank = replace(blank, process=index)
         try:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import sys
 import tomllib
 from collections.abc import Mapping, Sequence
@@ -15,7 +14,6 @@ from occgrid_parity.ports.declaration_reader import (
     Need,
     PortError,
 )
-from occgrid_parity.processes.process_group import search_path
 
 DECLARATION = "port.toml"
 NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
@@ -27,7 +25,9 @@ class Port:
 
     ``timeout`` and ``build_timeout`` are seconds: for one run of one scenario and
     for each build command. ``log_scans`` and ``probe_lines`` say how much of a real
-    log and of a probe's input the tests give to a slow port (None: all).
+    log and of a probe's input the tests give to a slow port (None: all), ``plain_scans``
+    up to how many scans it maps a scenario by its plain program, ``scenarios_at_once`` how
+    many scenarios one process of it takes, so that several processes share the work.
     """
 
     name: str
@@ -41,6 +41,8 @@ class Port:
     needs: tuple[Need, ...] = ()
     build_timeout: float = 900.0
     log_scans: int | None = None
+    plain_scans: int | None = None
+    scenarios_at_once: int | None = None
     probe_lines: int | None = None
 
     @property
@@ -51,7 +53,7 @@ class Port:
     @property
     def skip_reason(self) -> str | None:
         """``install octave`` where something it needs is missing, else None."""
-        missing = [n.install for n in self.needs if _missing(n.command)]
+        missing = [n.install for n in self.needs if n.is_missing()]
         return (
             "install " + ", ".join(dict.fromkeys(missing)) if missing else None
         )
@@ -64,10 +66,6 @@ class Port:
         """``template`` with ``{port}``, ``{python}`` and the values filled in."""
         known = {"port": self.folder, "python": sys.executable, **values}
         return expand(template, known)
-
-
-def _missing(command: str) -> bool:
-    return shutil.which(command, path=search_path()) is None
 
 
 def expand(
@@ -112,6 +110,8 @@ def read_port(path: Path) -> Port:
         needs=reader.needs(),
         build_timeout=reader.seconds("build_timeout", Port.build_timeout),
         log_scans=reader.count("log_scans"),
+        plain_scans=reader.count("plain_scans"),
+        scenarios_at_once=reader.count("scenarios_at_once"),
         probe_lines=reader.count("probe_lines"),
     )
     reader.no_more_keys()

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import dataclass
 from pathlib import Path
+
+from occgrid_parity.processes.process_group import search_path
 
 LIST_PLACEHOLDERS = ("mode", "scenario", "scenarios")
 
@@ -14,10 +17,18 @@ class PortError(ValueError):
 
 @dataclass(frozen=True)
 class Need:
-    """A command that must be on the PATH, and the package that brings it."""
+    """Commands of which one must be on the PATH, and the package that brings one."""
 
-    command: str
+    commands: tuple[str, ...]
     install: str
+
+    def is_missing(self) -> bool:
+        """Whether none of the commands is there."""
+        path = search_path()
+        return all(
+            shutil.which(command, path=path) is None
+            for command in self.commands
+        )
 
 
 class DeclarationReader:
@@ -39,6 +50,16 @@ class DeclarationReader:
         if not isinstance(value, str) or not value:
             raise self.error(f"{key} must be a text")
         return value
+
+    def alternatives(self, key: str) -> tuple[str, ...]:
+        """A text, or a list of texts of which one is enough."""
+        value = self.table.get(key)
+        if not isinstance(value, list):
+            return (self.text(key),)
+        del self.table[key]
+        if not value or not all(isinstance(x, str) and x for x in value):
+            raise self.error(f"{key} must be a text or a list of texts")
+        return tuple(value)
 
     def seconds(self, key: str, default: float | None = None) -> float:
         value = self.table.pop(key, default)
@@ -91,6 +112,8 @@ class DeclarationReader:
             inner = DeclarationReader(
                 self.path, entry if isinstance(entry, dict) else {}
             )
-            needs.append(Need(inner.text("command"), inner.text("install")))
+            needs.append(
+                Need(inner.alternatives("command"), inner.text("install"))
+            )
             inner.no_more_keys()
         return tuple(needs)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shlex
-import shutil
 import sys
 import tomllib
 from collections.abc import Sequence
@@ -157,7 +156,7 @@ def program_from_port(path: Path, timeout: float | None = None) -> Program:
     given = reader.seconds("timeout", DEFAULT_TIMEOUT)
     build_timeout = reader.seconds("build_timeout", Port.build_timeout)
     name = table.get("name", folder.name)
-    missing = [n.install for n in needs if shutil.which(n.command) is None]
+    missing = [n.install for n in needs if n.is_missing()]
     if missing:
         raise PortError(f"{path}: install {', '.join(missing)}")
     program = Program(

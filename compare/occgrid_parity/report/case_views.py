@@ -38,7 +38,11 @@ class DrawnMap:
 
 
 Tone = Literal["good", "near", "bad", "off"]
-TONES: dict[Status, Tone] = {"identical": "good", "skipped": "off"}
+TONES: dict[Status, Tone] = {
+    "identical": "good",
+    "skipped": "off",
+    "left out": "off",
+}
 
 
 @dataclass(frozen=True)

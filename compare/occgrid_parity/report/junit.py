@@ -88,7 +88,7 @@ def _counts(results: list[Result]) -> dict[str, str]:
         "tests": str(len(results)),
         "failures": count("differs"),
         "errors": count("error", "timeout"),
-        "skipped": count("skipped"),
+        "skipped": count("skipped", "left out"),
     }
 
 
@@ -101,9 +101,12 @@ def _case(suite: ElementTree.Element, result: Result) -> None:
     )
     if result.status == "identical":
         return
-    tag = {"differs": "failure", "skipped": "skipped"}.get(
-        result.status, "error"
-    )
+    tags = {
+        "differs": "failure",
+        "skipped": "skipped",
+        "left out": "skipped",
+    }
+    tag = tags.get(result.status, "error")
     said = ElementTree.SubElement(
         case, tag, message=_xml_text(result.reason), type=result.status
     )

@@ -18,6 +18,7 @@ STYLES = {
     "error": "bold red",
     "timeout": "bold red",
     "skipped": "yellow",
+    "left out": "dim",
 }
 
 
@@ -68,7 +69,12 @@ def footnotes(record: RunRecord) -> list[str]:
     notes += [
         f"{p.name}: skipped: {p.problem}" for p in record.ports if p.skipped
     ]
-    return notes
+    notes += [
+        f"{r.port}: left out: {r.reason}"
+        for r in record.results
+        if r.status == "left out"
+    ]
+    return list(dict.fromkeys(notes))
 
 
 def summary(record: RunRecord) -> str:
@@ -82,7 +88,7 @@ def explanations(record: RunRecord) -> list[str]:
     """Everything that is not identical and not skipped, explained."""
     lines: list[str] = []
     for result in record.results:
-        if result.status not in ("identical", "skipped"):
+        if result.status not in ("identical", "skipped", "left out"):
             lines += ["", *explain_result(result)]
     return lines
 

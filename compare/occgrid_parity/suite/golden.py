@@ -31,7 +31,7 @@ class GoldenMap:
 
 def golden_files(folder: Path, name: str, mode: Mode) -> tuple[Path, Path]:
     """The files of a golden result: hashes, picture."""
-    stem = f"{name}.{mode.name}"
+    stem = f"{name}.{mode.map_name}"
     return folder / f"{stem}.sha256", folder / f"{stem}.pgm"
 
 

@@ -71,3 +71,13 @@ def choose_scenarios(root: Path, words: Sequence[str]) -> list[ScenarioFile]:
                 f"{other.path} and {scenario.path} are both named {scenario.name}"
             )
     return list(chosen.values())
+
+
+def count_scans(path: Path) -> int:
+    """How many scans a scenario has: its POSE, FLASER and ROBOTLASER1 lines."""
+    with path.open("rb") as file:
+        return sum(
+            line.split(None, 1)[:1]
+            in ([b"POSE"], [b"FLASER"], [b"ROBOTLASER1"])
+            for line in file
+        )

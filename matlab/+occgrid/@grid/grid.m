@@ -80,13 +80,6 @@ classdef grid
             gy = floor((y - spec.origin_y) ./ spec.resolution);
         end
 
-        function [x, y] = grid_to_world_center(grid, gx, gy)
-            % GRID_TO_WORLD_CENTER  Centres of cells in metres.
-            spec = grid.spec;
-            x = spec.origin_x + (gx + 0.5) .* spec.resolution;
-            y = spec.origin_y + (gy + 0.5) .* spec.resolution;
-        end
-
         function inside = in_bounds(grid, gx, gy)
             % IN_BOUNDS  Whether cells lie in the grid.
             inside = 0 <= gx & gx < grid.spec.width & ...
@@ -94,6 +87,13 @@ classdef grid
         end
 
         % [/snippet]
+
+        function [x, y] = grid_to_world_center(grid, gx, gy)
+            % GRID_TO_WORLD_CENTER  Centres of cells in metres.
+            spec = grid.spec;
+            x = spec.origin_x + (gx + 0.5) .* spec.resolution;
+            y = spec.origin_y + (gy + 0.5) .* spec.resolution;
+        end
 
         % [snippet: update-cell]
         function grid = update_cell(grid, gx, gy, l_update)
