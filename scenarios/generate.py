@@ -268,7 +268,8 @@ def powers() -> str:
             _beam_to(Pose(1.5, 1.5, 0.0), 2.0 + k % 8, float(k % 3))
             for k in range(60)
         ]
-        + [_beam_to(Pose(1.5, 5.5, 0.0), 3.0, 0.0)] * 25,
+        + [_beam_to(Pose(1.5, 5.5, 0.0), 3.0, 0.0)] * 25
+        + [_beam_to(Pose(1.5, 5.5, 0.0), 6.0, 0.0)] * 16,
     )
 
 
