@@ -234,6 +234,49 @@ def robotlaser1() -> str:
     )
 
 
+def mixed() -> str:
+    """Simulated and recorded scans in turn; where the file says two poses, they are far apart."""
+    scans = []
+    for k in range(4):
+        pose = Pose(0.31 + 0.4 * k, 0.27 * k - 0.4, 0.37 * k)
+        odometry = Pose(pose.x - 0.83, pose.y + 0.61, pose.theta + 0.9)
+        ranges = _wavy(9 + k, 3.1)
+        scans += [
+            _pose(pose),
+            _flaser(pose, ranges, odometry=odometry, host="#3"),
+            _robotlaser1(pose, -1.1, 0.27, ranges, robot=odometry),
+        ]
+    return _text(
+        "Simulated and recorded scans in turn: only the simulated ones get noise, and all count. The poses of FLASER's "
+        "odometry and of ROBOTLASER1's robot are not the laser's.",
+        [
+            *_grid(41, 33, 0.2, -3.05, -3.33, 4.0),
+            *_params(fov=4.4, beams=23, noise_std=0.25),
+            "WALL -2.1 -2 3.3 -1.7",
+            "WALL 3.3 -1.7 2.9 2.4",
+        ],
+        scans,
+    )
+
+
+def powers() -> str:
+    """Odds that are powers of 2: log-odds that exp reduces to nearly nothing."""
+    third = 1.0 / 3.0
+    return _text(
+        "Odds that are powers of 2, and bounds beyond 10: exp must scale what it has reduced to almost 0.",
+        [
+            *_grid(12, 9, 1.0, 0.0, 0.0, 20.0),
+            *_params(p_occ=1.0 - third, p_free=third, l_min=-30.0, l_max=14.0),
+        ],
+        [
+            _beam_to(Pose(1.5, 1.5, 0.0), 2.0 + k % 8, float(k % 3))
+            for k in range(60)
+        ]
+        + [_beam_to(Pose(1.5, 5.5, 0.0), 3.0, 0.0)] * 25
+        + [_beam_to(Pose(1.5, 5.5, 0.0), 6.0, 0.0)] * 16,
+    )
+
+
 def formats() -> str:
     """All that the file format allows, with CRLF line ends."""
     lines = [
@@ -310,30 +353,6 @@ def hash_fields() -> str:
             "WALL 2.1 -1 2.1 1.7 #5 the right one",
         ],
         [flaser, "POSE 0.2 -0.3 0.4 # a simulated scan", robotlaser1],
-    )
-
-
-def mixed() -> str:
-    """Recorded and simulated scans, numbered together."""
-    return _text(
-        "Recorded and simulated scans in turn: noise leaves the recorded ones "
-        "alone, and they count in the numbers of the scans.",
-        [
-            *_grid(40, 34, 0.15, -2.93, -2.42, 4.0),
-            *_params(beams=23, fov=4.0, noise_std=0.3),
-            "WALL -2.7 -1.3 2.6 -1.9",
-            "WALL 2.6 -1.9 2.2 2.3",
-        ],
-        [
-            _robotlaser1(Pose(0.3, 0.2, 0.1), -1.5, 0.2, _wavy(16, 2.8)),
-            "POSE 0.1 0.4 -0.7",
-            _flaser(Pose(-0.5, 0.7, 1.4), _wavy(14, 2.8)),
-            _flaser(Pose(-0.4, 0.8, 1.9), _wavy(15, 2.8)),
-            "POSE 0.9 0.6 0.2",
-            "POSE 0.9 0.6 0.2",
-            _robotlaser1(Pose(1.1, -0.3, 3.0), -1.5, 0.2, _wavy(16, 2.8)),
-            "POSE -0.6 -0.2 2.7",
-        ],
     )
 
 
@@ -634,10 +653,11 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "asymmetric": asymmetric,
     "flaser": flaser,
     "robotlaser1": robotlaser1,
+    "mixed": mixed,
+    "powers": powers,
     "formats": formats,
     "odometry": odometry,
     "hash-fields": hash_fields,
-    "mixed": mixed,
     "powers-of-two": powers_of_two,
     "near-even": near_even,
     "sure": sure,
@@ -669,9 +689,7 @@ def _lesson(reason: str, origin_x: float, origin_y: float) -> str:
         *_params(fov=s.fov, beams=s.beams, noise_std=s.noise_std),
         *(" ".join(["WALL", *map(_number, wall)]) for wall in lesson_world()),
     ]
-    poses = (
-        " ".join(["POSE", *map(_number, pose)]) for pose in lesson_poses()
-    )
+    poses = (_pose(pose) for pose in lesson_poses())
     return _text(reason, head, poses)
 
 
@@ -757,6 +775,11 @@ def _beam_to(pose: Pose, dx: float, dy: float) -> str:
     )
 
 
+def _pose(pose: Pose) -> str:
+    """A simulated scan."""
+    return " ".join(["POSE", *map(_number, pose)])
+
+
 def _robotlaser1(
     pose: Pose,
     start: float,
@@ -780,11 +803,14 @@ def _robotlaser1(
 
 
 def _flaser(
-    pose: Pose, ranges: Sequence[str], odometry: Pose | None = None
+    pose: Pose,
+    ranges: Sequence[str],
+    odometry: Pose | None = None,
+    host: str = "host",
 ) -> str:
     where = list(map(_number, pose))
-    other = list(map(_number, odometry or pose))
-    tail = [*where, *other, "0", "host", "0"]
+    moved = list(map(_number, odometry or pose))
+    tail = [*where, *moved, "0", host, "0"]
     return " ".join(["FLASER", str(len(ranges)), *ranges, *tail])
 
 

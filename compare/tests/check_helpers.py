@@ -16,7 +16,6 @@ from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
 from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.line_cells import Lines
 from occgrid_parity.model.mapper_steps import Mapper
-from occgrid_parity.model.worlds import world_of
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.programs.program import program_from_command
@@ -48,7 +47,7 @@ class MapperRunner:
         self.plain_mode = NOISE_FREE
 
     def run(self, case: Case, mode: Mode) -> Outcome:
-        drawn = self.mapper(world_of(case), mode.seed, self.numbers).draw()
+        drawn = self.mapper.of(case, mode.seed, self.numbers).draw()
         pixels = drawn.pixels.astype(np.uint16)
         log_odds = drawn.log_odds if self.log_odds else None
         return Outcome(0.0, Observed(pixels, log_odds, "the test's map"))

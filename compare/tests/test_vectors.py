@@ -3,63 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
-from typing import NamedTuple
 
 import pytest
 
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.ports.probing import ProbeError, run_probe
 from occgrid_parity.processes.pool import side_by_side
+from occgrid_parity.suite.vectors import RESULTS, read_vectors
 
 from .conftest import JOBS, PORTS, ROOT
 
 FOLDER = ROOT / "scenarios" / "vectors"
-
-# the last columns of each file, which are results; those before are arguments
-RESULTS = {
-    "beam_endpoints": ["ex", "ey"],
-    "bresenham": ["cells"],
-    "clip_ray": ["first", "last"],
-    "cos": ["y"],
-    "exp": ["y"],
-    "flaser_angles": ["angle"],
-    "log": ["y"],
-    "logit": ["log_odds"],
-    "normal_deviate": ["deviate"],
-    "philox": ["w0", "w1", "w2", "w3"],
-    "pixel": ["pixel"],
-    "read_ranges": ["z", "hit", "used"],
-    "sigmoid": ["p"],
-    "sin": ["y"],
-    "update_cell": ["log_odds"],
-    "world_to_grid": ["gx", "gy"],
-}
-
-
-class Vectors(NamedTuple):
-    """What a file holds, as the probe is asked and answers."""
-
-    arguments: list[str]  # the columns' names
-    questions: list[str]
-    answers: list[str]
-
-
-def read_vectors(function: str, folder: Path = FOLDER) -> Vectors:
-    """The file of a function. Raises ValueError where a line does not fit its columns."""
-    lines = (folder / f"{function}.csv").read_text("ascii").splitlines()
-    columns, *rows = [line.split(",") for line in lines]
-    results = len(RESULTS[function])
-    if columns[-results:] != RESULTS[function]:
-        raise ValueError(f"{function}.csv: {columns}")
-    for number, row in enumerate(rows, start=2):
-        if len(row) != len(columns) or not all(row):
-            raise ValueError(f"{function}.csv:{number}: {row}")
-    return Vectors(
-        columns[:-results],
-        [" ".join(row[:-results]) for row in rows],
-        [" ".join(row[-results:]) for row in rows],
-    )
 
 
 @pytest.fixture(scope="session")

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import EVIDENCE, case_for
-from occgrid_parity.check.program_maps import ComparedMap, NoMap, ProgramMaps
-from occgrid_parity.explain.cause import Evidence, find_cause
+from occgrid_parity.check.program_maps import ComparedMap, ProgramMaps
+from occgrid_parity.explain.cause import find_cause
 from occgrid_parity.explain.findings import Cause, FirstDifference
 from occgrid_parity.explain.first_difference import find_first_difference
+from occgrid_parity.explain.mistaken_maps import Evidence
 
 
 class Explanation:
@@ -33,7 +34,7 @@ class Explanation:
             self.runner,
             differing.case,
             differing.mode,
-            differing.observed,
+            differing.drawn,
             strict,
             self.options.save,
         )
@@ -46,23 +47,12 @@ class Explanation:
         return explained.difference
 
     def cause(self) -> Cause:
-        """The mistakes that draw the program's maps; more scenarios are mapped, to tell them apart."""
-        if self.runner.reads_scenarios and not self.options.cases:
-            for name in EVIDENCE:
-                try:
-                    case = case_for(self.runner, name)
-                    self.maps.compare(case, self.runner.plain_mode)
-                except NoMap:
-                    continue
-        return self.cause_of_known_maps()
-
-    def cause_of_known_maps(self) -> Cause:
-        """The same, from the maps that are there."""
+        """The mistakes that draw all of the program's maps."""
         return find_cause(self._evidence(), self.short)
 
     def _evidence(self) -> list[Evidence]:
         return [
-            Evidence(one.case, one.mode, one.observed, one.compared.status)
+            Evidence(one.case, one.mode, one.drawn, one.compared.status)
             for one in self.maps.compared.values()
         ] + self._evidence_of_other_sizes()
 

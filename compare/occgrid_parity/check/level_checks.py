@@ -1,12 +1,15 @@
-"""Goes through the levels of a check, until one fails."""
+"""Grades the levels of a check, each apart from the others."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NoReturn
 
+from occgrid_parity.check.bad_input import check_bad_input
 from occgrid_parity.check.check_options import Options
+from occgrid_parity.check.function_levels import check_function
+from occgrid_parity.check.grey import grey_or_unasked
 from occgrid_parity.check.levels import (
+    BAD_INPUT,
     FILE,
     ORIENTATION,
     ORIENTED,
@@ -18,20 +21,26 @@ from occgrid_parity.check.levels import (
 )
 from occgrid_parity.check.program_maps import ComparedMap, NoMap, ProgramMaps
 from occgrid_parity.check.verdict import CaseResult, Level, LevelStatus
-from occgrid_parity.explain.symmetry import orientation
+from occgrid_parity.check.yaml_level import check_yaml
+from occgrid_parity.explain.symmetry import (
+    SYMMETRIES,
+    is_upright,
+    orientation,
+)
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
-
-class LevelFailed(Exception):
-    """A level has failed, which ends the check; its text is the summary."""
+NO_START = ("not found", "not executable")
+COSTLY = ("hang", "forks", "too much memory", "too much output")
+MOST_COSTLY = 2  # such runs, then no more maps are asked for
 
 
 class LevelChecks:
     """The levels of one check.
 
-    ``levels`` is their record. ``differing`` is the map that made one fail, if it was a map; ``misread`` says that the
-    map has another size than the scenario's because it is turned or transposed.
+    ``levels`` is their record, ``differing`` the first map that differs, and ``failed_run`` the first scenario of which
+    there is no map. ``misread`` says that maps have another size than the scenario's because they are turned or
+    transposed.
     """
 
     def __init__(self, maps: ProgramMaps, options: Options) -> None:
@@ -45,131 +54,171 @@ class LevelChecks:
         )
         self.levels: list[Level] = []
         self.differing: ComparedMap | None = None
+        self.failed_run: tuple[Case, Mode] | None = None
         self.misread = False
+        self.costly = 0
+        self.cannot_start = False
+        self.no_picture = False
 
     def check_all(self) -> None:
-        """Every level in turn. Raises LevelFailed at the first that fails; the others are not reached."""
+        """Every level that the program can be asked."""
         case, mode = next(plan.runs[0] for plan in self.plans if plan.runs)
+        self._check_first(case, mode)
+        self._check_orientation(case, mode)
+        for plan in self.plans:
+            self._add_level(plan)
+        if self.only_chosen:
+            return
+        self.levels.append(check_yaml(self.maps.compared.values()))
+        self._add_bad_input()
+        for function in self.runner.functions:
+            self.levels.append(check_function(self.runner, function))
+
+    def _compare(self, case: Case, mode: Mode) -> ComparedMap:
+        """The program's map. Raises NoMap, also where asking once more makes no sense."""
+        if self.cannot_start or self.costly >= MOST_COSTLY:
+            raise NoMap("", "not run: see above")
         try:
-            self._check_first(case, mode)
-            self._check_orientation(case, mode)
-            for plan in self.plans:
-                self._check_level(plan)
-        finally:
-            self._add_missing_levels()
+            return self.maps.compare(case, mode)
+        except NoMap as failed:
+            self.costly += failed.word in COSTLY
+            self.cannot_start |= failed.word in NO_START
+            if self.failed_run is None and failed.word:
+                self.failed_run = case, mode
+            raise
 
     def _check_first(self, case: Case, mode: Mode) -> None:
         """It runs, and its file is a picture of the right size."""
-        outcome = self.maps.run(case, mode)
-        if not outcome.ran:
-            self._fail(*RUNS, outcome.word, f"{case.name}: {outcome.message}")
-        self._add(*RUNS, "passed")
         try:
-            self.maps.compare(case, mode)
+            self._compare(case, mode)
         except NoMap as failed:
-            if outcome.observed is not None:
-                names = orientation(outcome.observed, case, mode)
-                if names:
-                    self.misread = True
-                    self._add(*FILE, "passed")
-                    self._fail_orientation(names, case)
-            message = f"your file is wrong, not your mapping: {failed.message}"
-            self._fail(*FILE, failed.word, message)
-        self._add(*FILE, "passed")
+            outcome = self.maps.run(case, mode)
+            if not outcome.ran:
+                self.no_picture = True
+                self._add(RUNS, "failed", failed.word, failed.message)
+                self._add(FILE, "grey", "", "there is no file to look at")
+                return
+            self._add(RUNS, "passed")
+            if self._is_turned(case, mode):
+                self.misread = True
+                self._add(FILE, "passed")
+                return
+            self.no_picture = True
+            message = f"your file is wrong; of your mapping this says nothing: {failed.message}"
+            self._add(FILE, "failed", failed.word, message)
+            return
+        self._add(RUNS, "passed")
+        self._add(FILE, "passed")
+
+    def _is_turned(self, case: Case, mode: Mode) -> bool:
+        """Whether a map of a wrong size is the reference's, turned or transposed."""
+        observed = self.maps.run(case, mode).observed
+        return observed is not None and bool(orientation(observed, case, mode))
 
     def _check_orientation(self, first: Case, mode: Mode) -> None:
-        """The map is not the reference's turned, flipped or transposed."""
+        """The map is not the reference's turned, flipped or transposed.
+
+        Where it is, the other levels look at the map turned back, so that this costs one level only.
+        """
         cases = [first]
         if self.runner.reads_scenarios and not self.only_chosen:
             cases = [case_for(self.runner, name) for name in ORIENTED]
-        open_question = False
+        upright = seen = 0
         for case in cases:
             try:
-                found = self.maps.compare(case, mode)
-            except NoMap as failed:
-                self._fail(*ORIENTATION, failed.word, failed.message)
-            if found.compared.status != "differs":
+                found: ComparedMap | None = self._compare(case, mode)
+            except NoMap:
+                found = None
+            observed = self.maps.outcomes.get((case.digest, mode))
+            if observed is None or observed.observed is None:
                 continue
-            names = orientation(found.observed, case, mode)
+            if found is not None and found.compared.status != "differs":
+                upright += 1
+                seen += 1
+                continue
+            names = orientation(observed.observed, case, mode)
             if names:
-                self.differing = found
-                self._fail_orientation(names, case)
-            open_question = True
-        if open_question:
-            message = "the map is none of the eight symmetries of the reference: it differs otherwise"
-            self._add(*ORIENTATION, "not checked", message)
+                self._fail_orientation(names, case, found)
+                return
+            if found is not None:
+                seen += 1
+                upright += is_upright(observed.observed, case, mode)
+        if seen and upright == seen:
+            self._add(ORIENTATION, "passed")
+        elif not seen:
+            self._add(ORIENTATION, "grey", "", "there is no map to look at")
         else:
-            self._add(*ORIENTATION, "passed")
+            message = "your map is too far from the reference to tell which way up it is"
+            self._add(ORIENTATION, "grey", "", message)
 
-    def _fail_orientation(self, names: Sequence[str], case: Case) -> NoReturn:
+    def _fail_orientation(
+        self, names: Sequence[str], case: Case, found: ComparedMap | None
+    ) -> None:
         message = f"your map of {case.name} is {' and '.join(names)}"
-        self._fail(*ORIENTATION, "orientation", message)
+        self.differing = self.differing or found
+        if len(names) == 1:
+            self.maps.turn_back(SYMMETRIES[names[0]])
+            message += "; the other levels look at your maps turned back"
+        self._add(ORIENTATION, "failed", "orientation", message)
 
-    def _check_level(self, plan: LevelRuns) -> None:
+    def _add_level(self, plan: LevelRuns) -> None:
         """One level: every map must be the reference's, or differ only by rounding."""
         if not plan.runs:
-            self._add(plan.name, plan.title, "not checked")
+            self.levels.append(Level(plan.name, plan.title, "not checked"))
             return
+        name = (plan.name, plan.title)
         results: list[CaseResult] = []
         worst: LevelStatus = "identical"
         said: list[str] = []
+        wrong: list[str] = []
         for case, mode in plan.runs:
             try:
-                found = self.maps.compare(case, mode)
+                found = self._compare(case, mode)
             except NoMap as failed:
-                self._fail(
-                    plan.name,
-                    plan.title,
-                    failed.word,
-                    failed.message,
-                    results,
-                )
+                grey = self.no_picture or not failed.word
+                status: LevelStatus = "grey" if grey else "failed"
+                if wrong:
+                    continue
+                self._add(name, status, failed.word, failed.message, results)
+                return
             results.append(found.result)
-            status = found.compared.status
+            closeness = found.compared.status
             message = f"{case.name}, {mode.name}: {found.result.message}"
-            if status == "differs":
-                self.differing = found
-                self._fail(plan.name, plan.title, "differs", message, results)
+            if closeness == "differs":
+                self.differing = self.differing or found
+                wrong.append(message)
+                continue
             if found.result.message != "identical":
                 said.append(message)
-            if status == "edges" or (
-                status == "halves" and worst == "identical"
+            if closeness == "edges" or (
+                closeness == "halves" and worst == "identical"
             ):
-                worst = status
-        self._add(plan.name, plan.title, worst, "; ".join(said), results)
+                worst = closeness
+        if wrong:
+            self._add(name, "failed", "differs", "; ".join(wrong), results)
+        else:
+            self._add(name, worst, "", "; ".join(said), results)
+
+    def _add_bad_input(self) -> None:
+        if not self.runner.reads_scenarios or self.no_picture or self.costly:
+            why = "the program draws no map of a right scenario, so a refusal says nothing"
+            self.levels.append(
+                grey_or_unasked(self.runner, *BAD_INPUT, why=why)
+            )
+            return
+        level, runs = check_bad_input(self.runner)
+        self.maps.runs += runs
+        self.levels.append(level)
 
     def _add(
         self,
-        name: str,
-        title: str,
+        name: tuple[str, str],
         status: LevelStatus,
+        word: str = "",
         message: str = "",
         cases: Sequence[CaseResult] = (),
     ) -> None:
         """Records a level."""
         self.levels.append(
-            Level(name, title, status, message=message, cases=list(cases))
+            Level(*name, status, word, message=message, cases=list(cases))
         )
-
-    def _fail(
-        self,
-        name: str,
-        title: str,
-        word: str,
-        message: str,
-        cases: Sequence[CaseResult] = (),
-    ) -> NoReturn:
-        """Records the level that ends the check, and ends it."""
-        self.levels.append(
-            Level(name, title, "failed", word, message, list(cases))
-        )
-        raise LevelFailed(f"{word}: {message}")
-
-    def _add_missing_levels(self) -> None:
-        """The levels that were not reached."""
-        known = {level.name for level in self.levels}
-        titles = [RUNS, FILE, ORIENTATION]
-        titles += [(plan.name, plan.title) for plan in self.plans]
-        for name, title in titles:
-            if name not in known:
-                self._add(name, title, "not reached")

@@ -1,4 +1,7 @@
-"""The levels of a check, in order: each looks at one thing, and the first that fails is the clearest to tell."""
+"""The levels of a check: each looks at one thing and is graded apart from the others.
+
+They are in order, so that the first that fails is the clearest to tell.
+"""
 
 from __future__ import annotations
 
@@ -25,6 +28,8 @@ class LevelPlan:
 
 RUNS = ("runs", "it runs")
 FILE = ("file", "its file is a picture of the right size")
+YAML = ("yaml", "the YAML beside the map")
+BAD_INPUT = ("bad-input", "scenarios that break a rule")
 ORIENTATION = ("orientation", "orientation (the eight symmetries)")
 ORIENTED = ("one-beam", "asymmetric")
 
@@ -41,11 +46,16 @@ LEVELS = (
     LevelPlan("outside", "outside the grid", ("outside",)),
     LevelPlan("simulated", "simulated scans", ("asymmetric",)),
     LevelPlan("recorded", "recorded scans", ("flaser", "robotlaser1")),
+    LevelPlan("mixed", "simulated and recorded scans together", ("mixed",)),
+    LevelPlan("powers", "odds that are powers of 2", ("powers",)),
     LevelPlan("formats", "all that the file format allows", ("formats",)),
     LevelPlan("twin", "the well-conditioned lesson", (TWIN,)),
     LevelPlan("lesson", "the lesson", (LESSON,)),
     LevelPlan(
         "noise", "seeded noise", ("asymmetric", TWIN, LESSON), noisy=True
+    ),
+    LevelPlan(
+        "mixed-noise", "noise on simulated scans only", ("mixed",), noisy=True
     ),
 )
 
@@ -61,6 +71,8 @@ EVIDENCE = (
     "asymmetric",
     "flaser",
     "robotlaser1",
+    "mixed",
+    "powers",
 )
 
 
@@ -92,6 +104,30 @@ def level_runs(runner: Runner) -> list[LevelRuns]:
         ]
         levels.append(LevelRuns(plan.name, plan.title, runs))
     return levels
+
+
+def titles(runner: Runner) -> dict[str, str]:
+    """Every level of a program and its title, in order."""
+    known = dict([RUNS, FILE, ORIENTATION])
+    known |= {plan.name: plan.title for plan in LEVELS}
+    known |= dict([YAML, BAD_INPUT])
+    return known | {
+        probe_level(function): f"the function {function} (shared vectors)"
+        for function in runner.functions
+    }
+
+
+def probe_level(function: str) -> str:
+    """The name of the level that looks at one function."""
+    return f"function-{function.replace('_', '-')}"
+
+
+def is_asked(runner: Runner, name: str) -> bool:
+    """Whether the program can be asked what a level of that name looks at."""
+    plans = {plan.name: plan for plan in level_runs(runner)}
+    if name in plans:
+        return bool(plans[name].runs)
+    return name != BAD_INPUT[0] or runner.reads_scenarios
 
 
 def chosen_runs(

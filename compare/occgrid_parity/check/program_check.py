@@ -7,8 +7,8 @@ import threading
 from pathlib import Path
 
 from occgrid_parity.check.check_options import Options
-from occgrid_parity.check.levels import RUNS
-from occgrid_parity.check.verdict import SCHEMA, Level, Verdict
+from occgrid_parity.check.grey import levels_of_broken
+from occgrid_parity.check.verdict import SCHEMA, Verdict
 from occgrid_parity.check.whole_check import check
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.program import Program
@@ -41,5 +41,5 @@ def broken(runner: Runner, word: str, message: str) -> Verdict:
         compared="nothing",
         seconds=0.0,
         runs=0,
-        levels=[Level(*RUNS, "failed", word=word, message=message)],
+        levels=levels_of_broken(runner, word, message),
     )

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
 
 from occgrid_parity.check import wording
 from occgrid_parity.check.verdict import CaseResult
@@ -14,16 +17,24 @@ from occgrid_parity.programs.runner import Outcome, Runner
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
+Turn = Callable[[Any], Any]
+"""Turns an array whose first row is the one with the largest y."""
+
 
 @dataclass(frozen=True)
 class ComparedMap:
-    """A map and how it compares."""
+    """A map and how it compares.
+
+    ``observed`` is the map that was compared, turned back where the program's maps are turned; ``drawn`` is the map as
+    the program drew it.
+    """
 
     case: Case
     mode: Mode
     observed: Observed
     compared: Compared
     seconds: float
+    drawn: Observed
 
     @property
     def result(self) -> CaseResult:
@@ -40,6 +51,17 @@ class NoMap(Exception):
         super().__init__(message)
         self.word = word
         self.message = message
+
+
+def turned(observed: Observed, back: Turn) -> Observed:
+    """A map with its picture and its log-odds turned."""
+    pixels = np.ascontiguousarray(back(observed.pixels))
+    if observed.log_odds is None:
+        return replace(observed, pixels=pixels)
+    log_odds = back(observed.log_odds[::-1])[::-1]
+    return replace(
+        observed, pixels=pixels, log_odds=np.ascontiguousarray(log_odds)
+    )
 
 
 class ProgramMaps:
@@ -60,6 +82,7 @@ class ProgramMaps:
         self.compared: dict[tuple[str, Mode], ComparedMap] = {}
         self.notes: list[str] = []
         self.runs = 0
+        self.back: Turn | None = None
 
     def run(self, case: Case, mode: Mode) -> Outcome:
         """The program's map of a scenario, or what went wrong."""
@@ -85,11 +108,17 @@ class ProgramMaps:
                 self.on_map(self.compared[key])
         return self.compared[key]
 
+    def turn_back(self, back: Turn) -> None:
+        """From now on, maps are turned with ``back`` before they are compared."""
+        self.back = back
+        self.compared.clear()
+
     def _compare(self, case: Case, mode: Mode) -> ComparedMap:
         outcome = self.run(case, mode)
-        observed = outcome.observed
-        if observed is None:
+        if outcome.observed is None:
             raise NoMap(outcome.word, f"{case.name}: {outcome.message}")
+        drawn = outcome.observed
+        observed = drawn if self.back is None else turned(drawn, self.back)
         expected = reference_map(case, mode).pixels.shape
         if observed.pixels.shape != expected:
             raise NoMap(
@@ -97,10 +126,27 @@ class ProgramMaps:
                 f"{case.name}: {observed.source} is {wording.size(observed.pixels.shape)} pixels, expected "
                 f"{wording.size(expected)}",
             )
-        compared = compare_with_reference(
+        compared = self._closeness(observed, case, mode)
+        if self.back is not None and observed.log_odds is not None:
+            # the picture is turned, and the log-odds may be upright
+            other = replace(observed, log_odds=drawn.log_odds)
+            fits = drawn.log_odds is not None and (
+                drawn.log_odds.shape == observed.pixels.shape
+            )
+            if compared.status == "differs" and fits:
+                again = self._closeness(other, case, mode)
+                if again.status != "differs":
+                    observed, compared = other, again
+        return ComparedMap(
+            case, mode, observed, compared, outcome.seconds, drawn
+        )
+
+    def _closeness(
+        self, observed: Observed, case: Case, mode: Mode
+    ) -> Compared:
+        return compare_with_reference(
             observed, case, mode, own_poses=not case.is_file
         )
-        return ComparedMap(case, mode, observed, compared, outcome.seconds)
 
     def what_was_compared(self) -> str:
         """Pixels or log-odds, in words."""

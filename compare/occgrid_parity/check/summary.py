@@ -38,7 +38,18 @@ def success(levels: Sequence[Level], halves: int) -> tuple[Overall, str]:
     return "edges", "; ".join([told, *([where] if edges else [])]) + but
 
 
-def not_checked(runner: Runner, compared: str) -> list[str]:
+def failure(levels: Sequence[Level]) -> str:
+    """The summary where a level has failed: the first that did, and how many are right."""
+    first = next((x for x in levels if x.status == "failed"), None)
+    if first is None:
+        first = next(x for x in levels if x.counts and not x.good)
+    head = "" if first.word in ("", "differs") else f"{first.word}: "
+    return f"{head}{first.message}"
+
+
+def not_checked(
+    runner: Runner, compared: str, levels: Sequence[Level]
+) -> list[str]:
     """What the program could not be asked; ``compared`` is what was, in words."""
     said = []
     if not runner.reads_scenarios:
@@ -47,4 +58,6 @@ def not_checked(runner: Runner, compared: str) -> list[str]:
         said.append(wording.NO_SEED)
     if compared == wording.ONLY_PIXELS:
         said.append(wording.PIXELS_ONLY)
+    if any(x.name == "yaml" and not x.counts for x in levels):
+        said.append(wording.NO_YAML)
     return said

@@ -11,7 +11,7 @@ from typing import Literal
 from occgrid_parity.explain.findings import Cause, FirstDifference
 from occgrid_parity.formats.json_records import json_text, record_from_json
 
-SCHEMA = 1
+SCHEMA = 2
 
 LevelStatus = Literal[
     "identical",
@@ -20,8 +20,9 @@ LevelStatus = Literal[
     "passed",
     "failed",
     "not checked",
-    "not reached",
+    "grey",
 ]
+GOOD: tuple[LevelStatus, ...] = ("identical", "halves", "edges", "passed")
 Overall = Literal["identical", "edges", "differs", "failed"]
 
 
@@ -47,7 +48,11 @@ class CaseResult:
 
 @dataclass(frozen=True)
 class Level:
-    """One step of the check; ``word`` says in a word or two what failed."""
+    """One thing that the check looks at; ``word`` says in a word or two what failed.
+
+    "not checked": the command cannot be asked, so the level is worth nothing. "grey": it could be asked, but there is
+    nothing to judge, and ``message`` says why; a grey level gives no point.
+    """
 
     name: str
     title: str
@@ -56,10 +61,23 @@ class Level:
     message: str = ""
     cases: list[CaseResult] = field(default_factory=list)
 
+    @property
+    def good(self) -> bool:
+        """Whether it gives its point."""
+        return self.status in GOOD
+
+    @property
+    def counts(self) -> bool:
+        """Whether it is worth a point: whatever the command can be asked."""
+        return self.status != "not checked"
+
 
 @dataclass(frozen=True)
 class Verdict:
-    """A whole check."""
+    """A whole check.
+
+    ``observations`` are sentences about what is seen in the program's files. Each is a fact, not a guess.
+    """
 
     schema: int
     program: str
@@ -74,10 +92,21 @@ class Verdict:
     cause: Cause | None = None
     not_checked: list[str] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    observations: list[str] = field(default_factory=list)
+
+    @property
+    def score(self) -> int:
+        """The points, one for each level that is as it should be."""
+        return sum(level.good for level in self.levels)
+
+    @property
+    def maximum(self) -> int:
+        """The points that there are. They hang on what the command can be asked, not on where a program fails."""
+        return sum(level.counts for level in self.levels)
 
     @property
     def failed_level(self) -> Level | None:
-        """The level that stopped the check."""
+        """The first level that failed."""
         return next((x for x in self.levels if x.status == "failed"), None)
 
     @property

@@ -10,7 +10,7 @@ from occgrid_parity.compare.cell_values import CellValue
 from occgrid_parity.explain.findings import Cause, FirstDifference
 
 WIDTH = 100
-HALVES = "but for grey values halfway between two levels, where the last bit of exp or log decides"
+HALVES = "identical except for pixels exactly halfway between two grey levels, where the last bit of exp or log decides"
 MARKS = {
     "identical": "identical",
     "halves": "identical*",
@@ -18,7 +18,7 @@ MARKS = {
     "passed": "passed",
     "failed": "FAILED",
     "not checked": "not checked",
-    "not reached": "not reached",
+    "grey": "cannot be judged",
 }
 
 
@@ -46,8 +46,14 @@ def verdict_text(verdict: Verdict) -> str:
         lines += _level(level, title_width)
     if any(level.status == "halves" for level in verdict.levels):
         lines.append(f"* {HALVES}")
+    lines.append(f"  {verdict.score} of {verdict.maximum} points")
+    if verdict.observations:
+        lines += ["", "What we see"]
+        for said in verdict.observations:
+            lines += _wrap(f"{said[0].upper()}{said[1:]}.", "  ")
     if verdict.cause is not None:
-        lines += ["", "Likely cause", *_cause(verdict.cause)]
+        title = "Likely cause" if verdict.cause.candidates else "Cause"
+        lines += ["", title, *_cause(verdict.cause)]
     if verdict.first_difference is not None:
         lines += [
             "",

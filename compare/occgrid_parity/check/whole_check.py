@@ -1,28 +1,36 @@
-"""A whole check: level after level until one fails, then where and why."""
+"""A whole check: every level graded, then what is seen, where the maps first differ, and why."""
 
 from __future__ import annotations
 
 import time
-from typing import NamedTuple
+from dataclasses import dataclass, field
 
 from occgrid_parity.check import wording
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.explanation import Explanation
-from occgrid_parity.check.level_checks import LevelChecks, LevelFailed
-from occgrid_parity.check.program_maps import ProgramMaps
-from occgrid_parity.check.summary import not_checked, success
+from occgrid_parity.check.failed_run import keep_failed_run
+from occgrid_parity.check.level_checks import LevelChecks
+from occgrid_parity.check.program_maps import ComparedMap, ProgramMaps
+from occgrid_parity.check.summary import failure, not_checked, success
+from occgrid_parity.check.two_runs import unsteady
 from occgrid_parity.check.verdict import SCHEMA, Overall, Verdict
+from occgrid_parity.explain.cause import find_halves_cause
 from occgrid_parity.explain.findings import Cause, FirstDifference
+from occgrid_parity.explain.mistaken_maps import Evidence
+from occgrid_parity.explain.scan_choice import chosen_scans
+from occgrid_parity.explain.seen import observations
 from occgrid_parity.programs.runner import Runner
 
 
-class Conclusion(NamedTuple):
+@dataclass(frozen=True)
+class Conclusion:
     """What the levels and the explanation say together."""
 
     overall: Overall
     summary: str
     difference: FirstDifference | None = None
     cause: Cause | None = None
+    seen: list[str] = field(default_factory=list)
 
 
 def check(runner: Runner, options: Options | None = None) -> Verdict:
@@ -34,12 +42,14 @@ def check(runner: Runner, options: Options | None = None) -> Verdict:
     started = time.monotonic()
     maps = ProgramMaps(runner, options.on_map)
     checks = LevelChecks(maps, options)
-    try:
-        checks.check_all()
-    except LevelFailed as failed:
-        conclusion = _after_failure(str(failed), checks, options)
+    checks.check_all()
+    wrong = any(level.counts and not level.good for level in checks.levels)
+    if wrong:
+        conclusion = _after_failure(checks, options)
     else:
         conclusion = _after_success(checks, options)
+    if checks.failed_run is not None:
+        keep_failed_run(maps, *checks.failed_run, options.save)
     compared = maps.what_was_compared()
     return Verdict(
         schema=SCHEMA,
@@ -53,50 +63,89 @@ def check(runner: Runner, options: Options | None = None) -> Verdict:
         levels=checks.levels,
         first_difference=conclusion.difference,
         cause=conclusion.cause,
-        not_checked=not_checked(runner, compared),
+        not_checked=not_checked(runner, compared, checks.levels),
         notes=maps.notes,
+        observations=conclusion.seen,
     )
 
 
-def _after_failure(
-    summary: str, checks: LevelChecks, options: Options
-) -> Conclusion:
-    """Explains the level that failed, if it was for a map."""
-    maps, runner, differing = checks.maps, checks.runner, checks.differing
+def _evidence(maps: ProgramMaps) -> list[Evidence]:
+    return [
+        Evidence(one.case, one.mode, one.drawn, one.compared.status)
+        for one in maps.compared.values()
+    ]
+
+
+def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
+    """Explains the first map that differs, if there is one."""
+    maps, differing = checks.maps, checks.differing
+    summary = failure(checks.levels)
     if differing is None and not checks.misread:
         return Conclusion("failed", summary)
     if not options.explain:
         return Conclusion("differs", summary)
+    if differing is not None:
+        twice = unsteady(maps, differing.case, differing.mode, differing.drawn)
+        if twice:
+            _think_of_own_noise(maps)
+            return Conclusion("differs", twice, seen=[twice])
+    seen = observations(
+        _evidence(maps), maps.runner.reads_scenarios
+    ) + _scans_seen(maps)
     explanation = Explanation(maps, options, checks.misread)
     difference = None
     if differing is not None:
         difference = explanation.first_difference(differing, strict=False)
     cause = explanation.cause()
-    can_be_quiet = runner.reads_scenarios or runner.takes_seeds
-    if not (cause.candidates or can_be_quiet):
+    if not cause.candidates and not seen:
+        _think_of_own_noise(maps)
+    return Conclusion("differs", summary, difference, cause, seen)
+
+
+def _think_of_own_noise(maps: ProgramMaps) -> None:
+    """A program that cannot be asked for a map without noise may add noise of its own."""
+    if not (maps.runner.reads_scenarios or maps.runner.takes_seeds):
         maps.note(wording.OWN_NOISE)
-    return Conclusion("differs", summary, difference, cause)
+
+
+def _scans_seen(maps: ProgramMaps) -> list[str]:
+    """Whether the map with the most scans among those that differ shows only some of them."""
+    wrong = [
+        one
+        for one in maps.compared.values()
+        if one.compared.status == "differs"
+    ]
+    said = [
+        text
+        for one in wrong[:3] + wrong[-1:]
+        if (text := chosen_scans(one.observed, one.case, one.mode))
+    ]
+    return list(dict.fromkeys(said))[:1]
 
 
 def _after_success(checks: LevelChecks, options: Options) -> Conclusion:
     """All levels passed, yet a mistake can be what looks like rounding of grey values."""
     maps = checks.maps
+    seen = observations(_evidence(maps), maps.runner.reads_scenarios)
     rounded = [one for one in maps.compared.values() if one.compared.halves]
     halves = sum(one.compared.halves for one in rounded)
     overall, summary = success(checks.levels, halves)
-    if overall == "identical" or not options.explain:
-        return Conclusion(overall, summary)
+    if not rounded or not options.explain:
+        return Conclusion(overall, summary, seen=seen)
+    found = find_halves_cause(_evidence(maps))
+    if not found.candidates:
+        return Conclusion(overall, summary, seen=seen)
+    smallest = min(rounded, key=_size)
     explanation = Explanation(maps, options, misread=False)
-    found = explanation.cause_of_known_maps()
-    if found.arithmetic and not found.candidates:
-        maps.note(found.message)
-    if not (found.candidates and rounded):
-        return Conclusion(overall, summary)
-    smallest = min(rounded, key=lambda one: one.observed.pixels.size)
     return Conclusion(
         "differs",
         "grey values halfway between two levels differ, and they are exactly those of a mistake: "
         f"{found.candidates[0].title}",
         explanation.first_difference(smallest, strict=True),
         found,
+        seen,
     )
+
+
+def _size(one: ComparedMap) -> int:
+    return one.observed.pixels.size

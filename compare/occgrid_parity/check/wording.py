@@ -48,22 +48,29 @@ def compared_words(compared: Compared) -> str:
     if compared.status == "differs":
         total = compared.wrong.size
         wrong = int(compared.unexplained.sum()) or int(compared.wrong.sum())
-        told = "rounding does not explain them"
+        told = "this is a mistake, not a rounding effect"
         if not compared.together:
-            told = "no choice of sides for the beams that end on a cell edge explains them all"
-        return f"{wrong} of {total} cells differ, and {told}"
+            told = (
+                "some beams end on a cell edge, where rounding may choose either side, but no such choice gives all of "
+                "your cells"
+            )
+        verb = "differs" if wrong == 1 else "differ"
+        return f"{wrong} of {total} cells {verb}; {told}"
     if compared.status == "edges":
         pairs = beam_pairs(compared.beams, compared.edge_beams)
         said.append(
-            f"differs only where an endpoint lies on a cell edge ({name_beams(pairs)})"
+            "it differs only where a beam ends on a cell edge, and rounding may choose either side "
+            f"({name_beams(pairs)})"
         )
     if compared.halves:
         values = plural(compared.halves, "grey value")
-        said.append(f"{values} halfway between two levels went the other way")
+        said.append(
+            f"{values} exactly halfway between two levels went the other way"
+        )
     if compared.steps is not None:
         said.append(
             "its logarithm has other last bits: it adds "
-            f"{compared.steps[0]!r} and {compared.steps[1]!r}, and with these every bit is the same"
+            f"{compared.steps[0]!r} and {compared.steps[1]!r}, and with these steps every bit is the same"
         )
     return "; ".join(said) or "identical"
 
@@ -91,6 +98,7 @@ def case_result(
 LESSON_ONLY = "everything but the lesson: the command has no {scenario}, so the program has only the lesson built in"
 NO_SEED = "seeded noise: the command has neither {mode} nor {seed}, so the program is taken as noise-free"
 ONLY_PIXELS = "pixels only"
+NO_YAML = "the YAML beside the map: the program writes none"
 PIXELS_ONLY = "log-odds: the program writes no .logodds file, so only pixels are compared"
 NO_TWIN = "the well-conditioned lesson, which would tell rounding from error once more"
 OWN_NOISE = (

@@ -61,12 +61,12 @@ def check_command(
     explain: Explain = True,
     jobs: Jobs = 2,
 ) -> None:
-    """Check any program against the suite, and explain the first difference.
+    """Check any program against the suite, and explain where it goes wrong.
 
-    {scenario} is the scenario file, {out} an empty folder, which is the program's working folder too, {pgm} the
-    picture to write, {mode} --noise-free or --seed N, {seed} the seed alone, {port} the folder you are in. A program
-    without {scenario} is checked on the lesson it has built in. Ends with 0 where all that can be checked is identical
-    or differs only at cell edges, with 1 where it differs or fails, with 2 for wrong usage.
+    In the command, {scenario} becomes a scenario file, {out} an empty folder (the program's working folder, too), {pgm}
+    the picture to write, {mode} --noise-free or --seed N, {seed} the seed alone, {port} the folder that you are in. A
+    program without {scenario} is checked on the lesson that it has built in. Each level is worth a point. The exit
+    status is 0 if all that can be checked is right, 1 if something is wrong, 2 for wrong usage.
     """
     console = Console()
     subject = Subject(run, port, class_folder)

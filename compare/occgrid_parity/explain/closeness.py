@@ -19,6 +19,7 @@ from typing import Literal
 import numpy as np
 
 from occgrid.grid import sigmoid
+from occgrid.sensor import Scan
 from occgrid_parity.explain.edge_sides import (
     Distance,
     SideSearch,
@@ -77,6 +78,9 @@ def compare_with_reference(
     if not wrong.any():
         return Compared("identical", wrong, none, log_odds=given)
     world = world_of(case)
+    if _only_halves(observed, drawn, world):
+        count = int(np.count_nonzero(observed.pixels != drawn.pixels))
+        return Compared("halves", wrong, none, halves=count, log_odds=given)
     return _Search(observed, world, mode, own_poses, drawn, wrong).result()
 
 
@@ -86,6 +90,21 @@ def differing(observed: Observed, drawn: Drawn) -> Mask:
     if observed.log_odds is not None:
         wrong = wrong | (bits(observed.log_odds) != bits(drawn.log_odds))
     return wrong
+
+
+def _only_halves(observed: Observed, drawn: Drawn, world: World) -> bool:
+    """Whether every cell that is not the same has a grey value halfway between two levels, and the right log-odds."""
+    own = observed.log_odds
+    if own is not None and (bits(own) != bits(drawn.log_odds)).any():
+        return False
+    wrong = observed.pixels != drawn.pixels
+    beams = sum(
+        one.ranges.size if isinstance(one, Scan) else world.settings.beams
+        for one in world.scans
+    )
+    low, high = grey_levels(drawn.log_odds[::-1][wrong], beams)
+    pixels = observed.pixels[wrong]
+    return bool(((pixels == low) | (pixels == high)).all())
 
 
 class _Search:

@@ -80,6 +80,18 @@ class BeamView:
             float(b.error[index]),
         )
 
+    def touches(self, scan: int, wrong: Mask) -> bool:
+        """Whether a beam of a scan updates one of the wrong cells."""
+        height, width = wrong.shape
+        first, end = int(self.first[scan]), int(self.first[scan + 1])
+        way = self.contract[first:end]
+        way = way[self.ways.used[way]]
+        w = self.ways
+        lines = contract_lines(w.gx0[way], w.gy0[way], w.gx1[way], w.gy1[way])
+        inside = (lines.gx >= 0) & (lines.gx < width)
+        inside &= (lines.gy >= 0) & (lines.gy < height)
+        return bool(wrong[lines.gy[inside], lines.gx[inside]].any())
+
     def touching(self, scan: int, wrong: Mask) -> list[int]:
         """The beams of a scan that update one of the wrong cells."""
         height, width = wrong.shape
@@ -149,6 +161,14 @@ def report_found(
     )
 
 
+def first_touching_scan(case: Case, mode: Mode, trial: Trial) -> int:
+    """The earliest scan with a beam that updates a wrong cell; 0 where there is none."""
+    wrong = _wrong(trial)
+    view = BeamView(case, mode)
+    scans = range(len(view.world.scans))
+    return next((scan for scan in scans if view.touches(scan, wrong)), 0)
+
+
 def report_deduced(
     case: Case, mode: Mode, observed: Observed, own_poses: bool
 ) -> FirstDifference | None:
@@ -166,9 +186,9 @@ def report_deduced(
         "later one that updates a wrong cell"
     ]
     for scan in range(len(view.world.scans)):
-        touching = view.touching(scan, wrong)
-        if not touching:
+        if not view.touches(scan, wrong):
             continue
+        touching = view.touching(scan, wrong)
         index = view.index(scan, touching[0])
         expected = view.cells(index)
         cell = _cell(expected, wrong)

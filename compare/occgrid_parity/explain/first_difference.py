@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.explain.difference_record import (
+    first_touching_scan,
     report_deduced,
     report_found,
 )
@@ -85,9 +86,9 @@ def find_first_difference(
         return Explained(report_deduced(case, mode, observed, own_poses=True))
     trials = _Trials(runner, mode, strict)
     try:
-        found = search(
-            case, mode, trials.compare(case, observed), trials.attempt
-        )
+        whole = trials.compare(case, observed)
+        guess = first_touching_scan(case, mode, whole)
+        found = search(case, mode, whole, trials.attempt, guess)
     except SearchFailed as failed:
         deduced = report_deduced(case, mode, observed, own_poses=False)
         if deduced is not None:

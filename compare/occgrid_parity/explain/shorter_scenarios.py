@@ -62,6 +62,12 @@ class Shortener:
         last = self.scan_lines[scans - 1]
         return self._case(b"".join(self.lines[: last + 1]))
 
+    def some(self, scans: Sequence[int]) -> Case:
+        """Some of the scans, in this order."""
+        lines = [self.lines[self.scan_lines[scan]] for scan in scans]
+        whole = [line.rstrip(b"\r\n") + b"\n" for line in lines]
+        return self._case(b"".join(self.head) + b"".join(whole))
+
     def alone(self, scan: int) -> Case:
         """One scan in an empty map."""
         line = self.lines[self.scan_lines[scan]]

@@ -8,6 +8,7 @@ import numpy as np
 
 from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.formats.pgm import Pixels
+from occgrid_parity.model.array_types import Cells
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import Case
@@ -45,3 +46,34 @@ def orientation(observed: Observed, case: Case, mode: Mode) -> list[str]:
         if compare_with_reference(picture, case, mode).status != "differs":
             found.append(name)
     return found
+
+
+LEAST_LIKENESS = 0.3  # a correlation of pictures below it says nothing
+
+
+def is_upright(observed: Observed, case: Case, mode: Mode) -> bool:
+    """Whether a map that is wrong in some other way is nearest to the reference as it stands.
+
+    Nearness is the correlation of grey values, whatever its sign: it does not mind another probability or an inverted
+    picture.
+    """
+    expected = reference_map(case, mode).pixels
+    likeness = [
+        _likeness(turn(observed.pixels), expected)
+        for turn in (_as_it_is, *SYMMETRIES.values())
+    ]
+    return likeness[0] > max(LEAST_LIKENESS, *likeness[1:])
+
+
+def _as_it_is(pixels: Pixels) -> Pixels:
+    return pixels
+
+
+def _likeness(found: Pixels, expected: Cells) -> float:
+    """The correlation of two pictures, from 0 to 1; 0 where their sizes differ or one is of one grey."""
+    if found.shape != expected.shape:
+        return 0.0
+    one = found - found.mean()
+    other = expected - expected.mean()
+    size = float(np.sqrt((one * one).sum() * (other * other).sum()))
+    return abs(float((one * other).sum())) / size if size else 0.0

@@ -62,6 +62,9 @@ def _row(line: bytes, width: int, lines: LineReader) -> Pixels:
     return np.fromiter(map(levels.__getitem__, words), np.uint16, width)
 
 
+PLAIN = re.compile(rb"\s*(?:[0-9]{1,5}\s+)*(?:[0-9]{1,5})?")
+
+
 def read_any_pgm(path: Path) -> Pixels:
     """Any valid P2 or P5 picture of 8 or 16 bits, comments included.
 
@@ -119,6 +122,10 @@ def _plain_levels(
     path: Path, data: bytes, start: int, count: int
 ) -> NDArray[np.int64]:
     body = re.sub(rb"#[^\n\r]*", b"", data[start:])
+    if PLAIN.fullmatch(body):
+        levels = np.fromstring(body, dtype=np.int64, sep=" ")
+        if levels.size >= count:
+            return levels[:count]
     words = body.split()
     if len(words) < count:
         raise OutputError(path, f"{len(words)} pixels, expected {count}")

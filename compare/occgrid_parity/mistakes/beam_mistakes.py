@@ -91,6 +91,34 @@ class LastBearingMissing(Mapper):
         return -(fov / 2.0) + (fov * i) / n
 
 
+class BearingsHalfAStepOff(Mapper):
+    name = "bearings-half-a-step-off"
+    title = (
+        "bearings point to the middle of n equal parts of the field of view"
+    )
+    lesson = "The first beam points to -fov / 2 and the last to +fov / 2, with a step of fov / (n - 1) between them."
+    where = "section 6.1 (linspace over both ends)"
+
+    def bearings(self) -> Array:
+        n, fov = self.settings.beams, self.settings.fov
+        i = np.arange(n, dtype=np.float64)
+        return -(fov / 2.0) + (fov * (i + 0.5)) / n
+
+
+class OneBeamFewer(Mapper):
+    name = "one-beam-fewer"
+    title = "a simulated scan has one beam less than the scenario says"
+    lesson = "n beams include both ends of the field of view: 181 beams for 180 steps of one degree."
+    where = "section 6.1 (n_beams)"
+
+    def bearings(self) -> Array:
+        n, fov = self.settings.beams, self.settings.fov
+        if n < 3:
+            return super().bearings()
+        i = np.arange(n - 1, dtype=np.float64)
+        return -(fov / 2.0) + (fov * i) / (n - 2.0)
+
+
 class MaxRangeOccupied(Mapper):
     name = "max-range-occupied"
     title = "a beam without return marks its last cell as occupied"
@@ -349,6 +377,8 @@ MISTAKES: tuple[type[Mapper], ...] = (
     DegreesForRadians,
     SineAndCosineSwapped,
     LastBearingMissing,
+    BearingsHalfAStepOff,
+    OneBeamFewer,
     MaxRangeOccupied,
     NoMargin,
     NoReturnNotFreed,

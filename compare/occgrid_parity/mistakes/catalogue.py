@@ -7,6 +7,7 @@ from occgrid_parity.mistakes import (
     grid_mistakes,
     model_mistakes,
     noise_mistakes,
+    reading_mistakes,
 )
 from occgrid_parity.model.mapper_steps import Mapper
 
@@ -15,6 +16,7 @@ MISTAKES: dict[str, type[Mapper]] = {
     for group in (
         grid_mistakes.MISTAKES,
         beam_mistakes.MISTAKES,
+        reading_mistakes.MISTAKES,
         model_mistakes.MISTAKES,
         noise_mistakes.MISTAKES,
     )
@@ -22,10 +24,6 @@ MISTAKES: dict[str, type[Mapper]] = {
 }
 
 
-NOISE_STEPS = ("deviate", "noisy", "clip_range")
-
-
 def only_noise(mistake: type[Mapper]) -> bool:
     """Whether the mistake changes nothing but steps that are not taken without a seed."""
-    changed = {k for k, v in vars(mistake).items() if callable(v)}
-    return bool(changed) and changed <= set(NOISE_STEPS)
+    return mistake in noise_mistakes.MISTAKES

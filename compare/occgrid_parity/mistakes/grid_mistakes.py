@@ -37,8 +37,8 @@ class PictureTransposed(Mapper):
     def file_order(self, log_odds: Array) -> Array:
         return log_odds.T
 
-    def picture(self, log_odds: Array) -> Cells:
-        return super().picture(log_odds).T
+    def arrange(self, cells: Cells) -> Cells:
+        return super().arrange(cells).T
 
 
 class PictureUpsideDown(Mapper):
@@ -50,8 +50,8 @@ class PictureUpsideDown(Mapper):
     )
     where = "section 1, and the plots of section 6"
 
-    def picture(self, log_odds: Array) -> Cells:
-        return super().picture(log_odds)[::-1]
+    def arrange(self, cells: Cells) -> Cells:
+        return super().arrange(cells)[::-1]
 
 
 class YAxisDown(Mapper):
@@ -74,8 +74,8 @@ class PictureMirrored(Mapper):
     lesson = "g_x grows with x, so each row of the picture starts with the cell of the smallest x."
     where = INDEX
 
-    def picture(self, log_odds: Array) -> Cells:
-        return super().picture(log_odds)[:, ::-1]
+    def arrange(self, cells: Cells) -> Cells:
+        return super().arrange(cells)[:, ::-1]
 
 
 class Truncation(Mapper):
@@ -159,10 +159,13 @@ class NegativeIndexWraps(Mapper):
 
 class RobotOutsideSkipped(Mapper):
     name = "robot-outside-skipped"
-    title = "a scan is skipped when the robot stands outside the grid"
+    title = (
+        "nothing is drawn where the robot stands outside the grid: the scan is skipped, or its lines stop at the first "
+        "cell outside"
+    )
     lesson = (
         "Only the cells outside are skipped, one by one, when they are updated. Beams of a robot outside the grid "
-        "still cross it; in the lesson the robot leaves the grid on the left."
+        "still cross it; in the lesson the robot leaves the grid on the left. A line goes on behind a cell outside."
     )
     where = "section 6.1 (update_cell_logodds tests each cell)"
 

@@ -109,6 +109,29 @@ class ClampWithoutLower(Mapper):
         return np.minimum(log_odds, self.settings.l_max)
 
 
+class LimitsOfTen(Mapper):
+    name = "limits-of-ten"
+    title = "log-odds are clamped at -10 and 10, whatever the scenario says"
+    lesson = (
+        "The limits are l_min and l_max of the scenario, -8 and 8 where it has none. The defaults of the lesson's "
+        "Python class are -10 and 10, but its main program sets -8 and 8."
+    )
+    where = "section 6.1 (OccupancyGrid, and main)"
+
+    def clamp(self, log_odds: Array) -> Array:
+        return np.minimum(np.maximum(log_odds, -10.0), 10.0)
+
+
+class LimitsOfEight(Mapper):
+    name = "limits-of-eight"
+    title = "log-odds are clamped at -8 and 8, whatever the scenario says"
+    lesson = "The limits are l_min and l_max of the scenario; -8 and 8 hold only where it does not say them."
+    where = CLAMP + "; SPEC.md section 5.2"
+
+    def clamp(self, log_odds: Array) -> Array:
+        return np.minimum(np.maximum(log_odds, -8.0), 8.0)
+
+
 class OncePerScan(Mapper):
     name = "once-per-scan"
     title = (
@@ -148,6 +171,23 @@ def _keys(traced: Traced) -> Cells:
     low = np.min(traced.gx, initial=0)
     span = np.max(traced.gx, initial=0) - low + 1
     return traced.gy * span + (traced.gx - low)
+
+
+class ExpOfReducedArgument(Mapper):
+    name = "exp-of-reduced-argument"
+    title = "exp looks at the exponent of the reduced argument, not of its own"
+    lesson = (
+        "In exp, ix is the upper word of the argument that was given, also after x has been reduced. Else a reduced x "
+        "near 0 ends in 1 + x, and the power of 2 is lost: exp(-log(2)) becomes 1."
+    )
+    where = "SPEC.md section 9.3"
+
+    def probability(self, log_odds: Array) -> Array:
+        x = -np.abs(log_odds)
+        rest = x - np.rint(x / np.log(2.0)) * np.log(2.0)
+        lost = (np.abs(x) > 0.5 * np.log(2.0)) & (np.abs(rest) < 2.0**-28)
+        z = np.where(lost, 1.0 + rest, self.numbers.exp(x))
+        return np.where(log_odds >= 0.0, 1.0, z) / (1.0 + z)
 
 
 class PictureInverted(Mapper):
@@ -202,8 +242,11 @@ MISTAKES: tuple[type[Mapper], ...] = (
     NoClamp,
     ClampAtEnd,
     ClampWithoutLower,
+    LimitsOfTen,
+    LimitsOfEight,
     OncePerScan,
     OncePerScanOccupiedWins,
+    ExpOfReducedArgument,
     PictureInverted,
     PixelHalfEven,
     PixelTruncated,

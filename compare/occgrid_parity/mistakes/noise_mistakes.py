@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from occgrid.sensor import Scan
 from occgrid_parity.model.arithmetic import (
     TWO_PI,
     box_muller,
@@ -158,6 +161,35 @@ class NoNoise(Mapper):
         return ranges
 
 
+class NoiseOnRecorded(Mapper):
+    name = "noise-on-recorded-scans"
+    title = "recorded ranges get noise, too"
+    lesson = "Noise makes simulated ranges like measured ones. Recorded ranges are measured; they stay as they are."
+    where = NOISE
+
+    def scans(self) -> Iterator[Scan]:
+        for number, scan in enumerate(super().scans()):
+            if self.seed is not None and isinstance(
+                self.world.scans[number], Scan
+            ):
+                noisy = self.noisy(scan.ranges, self.seed, number)
+                yield Scan(scan.pose, scan.angles, noisy)
+            else:
+                yield scan
+
+
+class NoiseSimulatedNumberedApart(Mapper):
+    name = "simulated-scans-numbered-apart"
+    title = "simulated scans are numbered without the recorded ones"
+    lesson = "The scans of a scenario are numbered from 0 in the order of the file, simulated and recorded ones alike."
+    where = "SPEC.md section 2.3"
+
+    def noisy(self, ranges: Array, seed: int, scan: int) -> Array:
+        before = self.world.scans[:scan]
+        simulated = sum(not isinstance(one, Scan) for one in before)
+        return super().noisy(ranges, seed, simulated)
+
+
 MISTAKES: tuple[type[Mapper], ...] = (
     NoiseOfNextBeam,
     NoiseOfNextScan,
@@ -172,4 +204,6 @@ MISTAKES: tuple[type[Mapper], ...] = (
     NoiseSubtracted,
     NoiseVariance,
     NoNoise,
+    NoiseOnRecorded,
+    NoiseSimulatedNumberedApart,
 )

@@ -6,7 +6,7 @@ Without a mistake it draws the same bits as the reference; a test holds it to th
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -17,7 +17,8 @@ from occgrid_parity.model import arithmetic
 from occgrid_parity.model.arithmetic import Arithmetic
 from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.line_cells import Lines, contract_lines
-from occgrid_parity.model.worlds import World
+from occgrid_parity.model.worlds import World, world_of
+from occgrid_parity.suite.cases import Case
 
 BATCH_CELLS = 1 << 20
 
@@ -96,12 +97,35 @@ class Mapper:
         self.l_occ = self.logit(self.settings.p_occ)
         self.l_free = self.logit(self.settings.p_free)
 
-    def draw(self) -> Drawn:
-        """Maps all scans."""
+    @classmethod
+    def of(
+        cls,
+        case: Case,
+        seed: int | None,
+        numbers: Arithmetic = arithmetic.PORTABLE,
+    ) -> Mapper:
+        """The mapper of a scenario, as it reads the file."""
+        return cls(world_of(cls.reads(case)), seed, numbers)
+
+    @classmethod
+    def reads(cls, case: Case) -> Case:
+        """The scenario as it should be written for the contract to read what this mapper reads."""
+        return case
+
+    def draw(
+        self,
+        batches: Iterable[Traced] | None = None,
+        sample: Mask | None = None,
+    ) -> Drawn:
+        """Maps all scans.
+
+        ``batches`` are the updates where they are known already. With ``sample`` (one for each cell of the array) the
+        other cells keep what they start with.
+        """
         s = self.settings
         log_odds: Array = np.full(s.height * s.width, self.start())
-        for traced in self.batches():
-            self.apply(log_odds, traced)
+        for traced in self.batches() if batches is None else batches:
+            self.apply(log_odds, traced, sample)
         log_odds = self.finish(log_odds).reshape(s.height, s.width)
         return Drawn(self.file_order(log_odds), self.picture(log_odds))
 
@@ -249,12 +273,16 @@ class Mapper:
         if batch:
             yield Traced(*map(np.concatenate, zip(*batch, strict=True)))
 
-    def apply(self, log_odds: Array, traced: Traced) -> None:
+    def apply(
+        self, log_odds: Array, traced: Traced, sample: Mask | None = None
+    ) -> None:
         """Adds the steps in order, clamping after each.
 
         Cells do not depend on each other, so the j-th updates of all cells are made at once.
         """
         places, inside = self.place(traced.gx, traced.gy)
+        if sample is not None:
+            inside = inside & sample[np.where(inside, places, 0)]
         places, occupied = places[inside], traced.occupied[inside]
         if not places.size:
             return
@@ -289,4 +317,8 @@ class Mapper:
     def picture(self, log_odds: Array) -> Cells:
         """The rows of the picture, the one with the largest y first."""
         p = self.probability(log_odds.reshape(-1)).reshape(log_odds.shape)
-        return self.pixel(p).astype(np.int64)[::-1]
+        return self.arrange(self.pixel(p).astype(np.int64))
+
+    def arrange(self, cells: Cells) -> Cells:
+        """An array of cells in the order of the picture."""
+        return cells[::-1]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import re
 import signal
 import sys
 import threading
@@ -16,6 +17,10 @@ from occgrid_parity.processes.process_group import first_line, run_process
 SUPERVISOR = Path(__file__).with_name("supervisor.py")
 GRACE = 10.0  # seconds that the supervisor has to clean up
 MEBI = 2**20
+TAIL = 65536  # bytes of standard error in which a traceback is looked for
+PLACE = re.compile(r'\s+File "(?P<file>[^"]+)", line (?P<line>[0-9]+)')
+EXCEPTION = re.compile(r"[A-Za-z_][\w.]*(?:: .*)?$")
+LIBRARY = re.compile(r"/lib(?:64)?/python[0-9.]*/|/site-packages/|^<")
 
 MISSING = (
     "No such file or directory",
@@ -54,6 +59,7 @@ class Ended:
     stderr: Path
     left: int = 0
     peak: int = 0
+    status: int | None = None
 
 
 def run_limited(
@@ -114,6 +120,7 @@ def run_limited(
         stderr,
         told["left"],
         told["peak"],
+        None if told["word"] else told["status"],
     )
 
 
@@ -167,12 +174,31 @@ def _what_went_wrong(
 
 
 def _telling_line(stderr: Path) -> str:
-    """The line of standard error that says most: the last of a Python traceback, else the first."""
-    first = first_line(stderr)
-    if not first.startswith("Traceback"):
-        return first
-    lines = stderr.read_bytes()[-4096:].decode("utf-8", "replace").splitlines()
-    return next((x.strip()[:300] for x in reversed(lines) if x.strip()), first)
+    """What standard error says of the failure: an exception and the program's own line, else the first line."""
+    with stderr.open("rb") as file:
+        file.seek(max(0, stderr.stat().st_size - TAIL))
+        text = file.read().decode("utf-8", "replace")
+    return python_exception(text) or first_line(stderr)
+
+
+def python_exception(text: str) -> str:
+    """``IndexError: list index out of range (mapper.py, line 12)`` of a Python traceback; empty where there is none.
+
+    The line is the last one of the program's own files, not of Python or of a library.
+    """
+    lines = text.splitlines()
+    places = [(i, m) for i, x in enumerate(lines) if (m := PLACE.match(x))]
+    if not places:
+        return ""
+    last = places[-1][0]
+    said = [x for x in lines[last + 1 :] if EXCEPTION.match(x)]
+    if not said:
+        return ""
+    own = [m for _, m in places if not LIBRARY.search(m["file"])]
+    if not own:
+        return said[-1][:300]
+    file = own[-1]["file"].rsplit("/", 1)[-1]
+    return f"{said[-1][:300]} ({file}, line {own[-1]['line']})"
 
 
 def _signal(number: int) -> str:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.log_odds import LogOdds, read_log_odds
+from occgrid_parity.formats.map_files import YAML_LIMIT
 from occgrid_parity.formats.pgm import Pixels, read_any_pgm
+from occgrid_parity.formats.plain_text import clean
 
 KNOWN = {
     b"\x89PNG": "a PNG picture",
@@ -30,12 +33,18 @@ class Observed:
     """The map that a program has drawn.
 
     ``pixels`` (height, width), largest y first; ``log_odds`` the same shape, smallest y first, or None where the
-    program writes none.
+    program writes none. ``yaml`` is the text beside the picture, None where there is none; ``digest`` tells pictures
+    apart byte for byte; ``top`` is the picture's own maximum, to which its levels are scaled to 0 .. 255; ``remarks``
+    say what is odd about the file.
     """
 
     pixels: Pixels
     log_odds: LogOdds | None
     source: str
+    yaml: str | None = None
+    digest: str = ""
+    top: int = 255
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -48,16 +57,19 @@ class Unreadable:
 
 def find_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
     """The map of one run: ``pgm``, else the folder's only picture, else standard output."""
+    remarks: tuple[str, ...] = ()
     picture = _find(out, pgm)
     if isinstance(picture, Unreadable):
         return picture
     if picture is None:
         with stdout.open("rb") as file:
             begin = file.read(64).lstrip()
-        if re.match(rb"P[1-7]\s", begin):
-            picture = stdout
-        else:
-            return _nothing(out, begin)
+        if not re.match(rb"P[1-7]\s", begin):
+            remark = _cut_banner(stdout)
+            if not remark:
+                return _nothing(out, begin)
+            remarks = (remark,)
+        picture = stdout
     name = "standard output" if picture == stdout else picture.name
     try:
         pixels = read_any_pgm(picture)
@@ -65,12 +77,18 @@ def find_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
         return _diagnosis(picture, name, error)
     except OSError as error:
         return Unreadable("no map", f"{name} cannot be read: {error.strerror}")
-    log_odds_file = pgm.with_suffix(".logodds")
-    if not log_odds_file.is_file():
-        others = list(out.glob("*.logodds"))
-        if len(others) != 1:
-            return Observed(pixels, None, name)
-        log_odds_file = others[0]
+    found = Observed(
+        pixels,
+        None,
+        name,
+        _yaml(out, pgm),
+        hashlib.sha256(picture.read_bytes()).hexdigest(),
+        _top(picture),
+        remarks,
+    )
+    log_odds_file = _beside(out, pgm, ".logodds")
+    if log_odds_file is None:
+        return found
     try:
         log_odds = read_log_odds(log_odds_file)
     except OutputError as error:
@@ -80,7 +98,46 @@ def find_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
             "wrong size",
             f"{log_odds_file.name} has {_size(log_odds.shape)} cells, the picture {_size(pixels.shape)}",
         )
-    return Observed(pixels, log_odds, name)
+    return replace(found, log_odds=log_odds)
+
+
+def _beside(out: Path, pgm: Path, suffix: str) -> Path | None:
+    """The file of that kind beside the picture: its own, else the folder's only one."""
+    own = pgm.with_suffix(suffix)
+    if own.is_file():
+        return own
+    others = list(out.glob(f"*{suffix}"))
+    return others[0] if len(others) == 1 else None
+
+
+def _yaml(out: Path, pgm: Path) -> str | None:
+    file = _beside(out, pgm, ".yaml")
+    if file is None or file.stat().st_size > YAML_LIMIT:
+        return None
+    return file.read_bytes().decode("utf-8", "replace")
+
+
+def _top(picture: Path) -> int:
+    """The maximum in the header of a picture that has been read."""
+    with picture.open("rb") as file:
+        head = file.read(65536)
+    words = re.sub(rb"#[^\n\r]*", b"", head).split(maxsplit=4)
+    return int(words[3])
+
+
+def _cut_banner(stdout: Path) -> str:
+    """Drops what was printed before a picture; says what it was, empty where there is no picture."""
+    data = stdout.read_bytes()
+    start = re.search(rb"(?:^|[\n\r])(P[25]\s+[0-9#])", data)
+    if start is None:
+        return ""
+    before = data[: start.start(1)]
+    printed = clean(before.decode("utf-8", "replace").strip())[:40]
+    stdout.write_bytes(data[start.start(1) :])
+    return (
+        f"standard output has {len(before)} bytes before the picture ({printed!r}); print such lines on standard "
+        "error. The map behind them is graded"
+    )
 
 
 def _find(out: Path, pgm: Path) -> Path | Unreadable | None:

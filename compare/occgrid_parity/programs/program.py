@@ -24,8 +24,9 @@ DEFAULT_TIMEOUT = 60.0
 class Program:
     """A command template and where it runs.
 
-    ``cwd`` None: in the run's own empty folder. ``build`` are commands to run first, in ``folder``. ``words`` is the
-    command as it was given, ``option`` how to give it to ``occgrid-parity check`` again.
+    ``cwd`` None: in the run's own empty folder. ``build`` are commands to run first, in ``folder``. ``probe`` answers
+    the shared vectors. ``words`` is the command as it was given, ``option`` how to give it to ``occgrid-parity check``
+    again.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Program:
     build_timeout: float = 900.0
     words: str = ""
     option: str = ""
+    probe: tuple[str, ...] = ()
 
     def has(self, *names: str) -> bool:
         """Whether the command has one of the placeholders."""
@@ -150,6 +152,7 @@ def program_from_port(path: Path, timeout: float | None = None) -> Program:
     needs = reader.needs()
     run = reader.command("run", required=True)
     build = reader.commands("build")
+    probe = reader.command("probe")
     given = reader.seconds("timeout", DEFAULT_TIMEOUT)
     build_timeout = reader.seconds("build_timeout", Port.build_timeout)
     name = table.get("name", folder.name)
@@ -165,6 +168,7 @@ def program_from_port(path: Path, timeout: float | None = None) -> Program:
         build_timeout=build_timeout,
         words=shlex.join(run),
         option=f"--port {shlex.quote(str(path))}",
+        probe=probe,
     )
     if program.has("out", "pgm"):
         return replace(program, cwd=folder)

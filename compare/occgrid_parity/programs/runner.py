@@ -6,20 +6,31 @@ import hashlib
 import shlex
 import shutil
 import threading
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
+from occgrid_parity.formats.plain_text import clean
+from occgrid_parity.ports.declaration import Port
+from occgrid_parity.ports.probing import run_probe
 from occgrid_parity.processes.limits import Limits, run_limited
 from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
 from occgrid_parity.programs.program import Program
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
+from occgrid_parity.suite.vectors import FUNCTIONS
+
+SHOWN = 65536  # bytes that are kept of what a run prints
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How one run went: the map, or what went wrong in a word or two and at length."""
+    """How one run went: the map, or what went wrong in a word or two and at length.
+
+    ``status`` is the exit status where the program ended by itself; ``printed`` what it said on standard error, then on
+    standard output, its beginning at the most.
+    """
 
     seconds: float
     observed: Observed | None = None
@@ -27,6 +38,8 @@ class Outcome:
     message: str = ""
     ran: bool = True
     notes: tuple[str, ...] = ()
+    status: int | None = None
+    printed: str = field(default="", repr=False)
 
 
 class Runner(Protocol):
@@ -39,8 +52,15 @@ class Runner(Protocol):
     takes_seeds: bool
     plain_mode: Mode
 
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of the shared vectors that the program can be asked for."""
+
     def run(self, case: Case, mode: Mode) -> Outcome:
         """The map of one scenario."""
+
+    def probe(self, function: str, questions: Sequence[str]) -> list[str]:
+        """What the program's function gives; raises occgrid_parity.ports.probing.ProbeError where it gives nothing."""
 
 
 class CommandRunner:
@@ -118,14 +138,17 @@ class CommandRunner:
             )
         if scenario is not None and not _is(scenario, case):
             notes.append("it changed its copy of the scenario file")
+        printed = _beginning(ended.stderr) + _beginning(ended.stdout)
         if ended.word:
             return Outcome(
                 ended.seconds,
                 None,
                 ended.word,
-                ended.message,
+                clean(ended.message),
                 False,
                 tuple(notes),
+                ended.status,
+                printed,
             )
         found = find_map(out, pgm, ended.stdout)
         if isinstance(found, Unreadable):
@@ -133,11 +156,33 @@ class CommandRunner:
                 ended.seconds,
                 None,
                 found.word,
-                found.message,
+                clean(found.message),
                 True,
                 tuple(notes),
+                0,
+                printed,
             )
-        return Outcome(ended.seconds, found, notes=tuple(notes))
+        notes += found.remarks
+        return Outcome(ended.seconds, found, notes=tuple(notes), status=0)
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """Every function of the shared vectors where port.toml has a probe."""
+        return FUNCTIONS if self.program.probe else ()
+
+    def probe(self, function: str, questions: Sequence[str]) -> list[str]:
+        """What the program's function gives. Raises ProbeError where it gives nothing."""
+        port = Port(
+            self.name,
+            "",
+            self.program.folder,
+            self.program.command,
+            self.limits.seconds,
+            probe=self.program.probe,
+        )
+        folder = self.folder / "probe"
+        folder.mkdir(exist_ok=True)
+        return run_probe(port, function, questions, folder, self.stop)
 
     def _copy(self, case: Case, folder: Path) -> Path:
         """A read-only copy of the scenario in a read-only folder."""
@@ -148,6 +193,12 @@ class CommandRunner:
         copy.chmod(0o444)
         place.chmod(0o555)
         return copy
+
+
+def _beginning(file: Path) -> str:
+    """What was printed into a file, its beginning at the most."""
+    with file.open("rb") as printed:
+        return printed.read(SHOWN).decode("utf-8", "replace")
 
 
 def _is(path: Path, case: Case) -> bool:

@@ -5,17 +5,14 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from occgrid_parity.check.levels import ORIENTATION
 from occgrid_parity.check.verdict import Level, Verdict
-from occgrid_parity.check.verdict_text import verdict_text
-
-GOOD = ("identical", "halves", "edges", "passed")
+from occgrid_parity.check.verdict_text import MARKS, verdict_text
 
 
 def gradescope_json(verdict: Verdict, points: float = 1.0) -> str:
     """One test per level, each worth ``points``; the whole verdict as the output.
 
-    A level that was not reached gives no points. One that the command cannot be asked is worth none.
+    A level that cannot be judged gives no points. One that the command cannot be asked is worth none, for anybody.
     """
     tests = [_test(level, points) for level in verdict.levels]
     results = {
@@ -31,15 +28,16 @@ def gradescope_json(verdict: Verdict, points: float = 1.0) -> str:
 
 
 def _test(level: Level, points: float) -> dict[str, Any]:
-    good = level.status in GOOD
-    # of a map that is otherwise wrong nobody can tell the orientation: that is no excuse
-    asked = level.status != "not checked" or level.name == ORIENTATION[0]
-    said = [level.status, level.word, level.message]
+    said = [MARKS[level.status], level.word, level.message]
     return {
         "name": level.title,
-        "score": points if good else 0.0,
-        "max_score": points if asked else 0.0,
-        **({"status": "passed" if good else "failed"} if asked else {}),
+        "score": points if level.good else 0.0,
+        "max_score": points if level.counts else 0.0,
+        **(
+            {"status": "passed" if level.good else "failed"}
+            if level.counts
+            else {}
+        ),
         "output": ": ".join(part for part in said if part),
         "output_format": "text",
     }

@@ -9,7 +9,7 @@ from occgrid_parity.check.verdict_text import verdict_text
 from occgrid_parity.compare.run_record import Result, RunRecord
 from occgrid_parity.report.run_table import explain_result
 
-UNCHECKED = ("not checked", "not reached")
+UNCHECKED = ("not checked", "grey")
 KINDS = {"differs": Failure, "skipped": Skipped, "left out": Skipped}
 
 

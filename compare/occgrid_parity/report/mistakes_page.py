@@ -10,7 +10,6 @@ from occgrid_parity.explain.closeness import differing
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.reference import reference_map
-from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import LESSON, case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
@@ -27,12 +26,15 @@ SMALL = (
     "asymmetric",
     "flaser",
     "robotlaser1",
+    "mixed",
+    "powers",
     "formats",
 )
 COLUMNS: tuple[tuple[str, Mode], ...] = (
     *((name, NOISE_FREE) for name in (*SMALL, LESSON)),
     ("asymmetric", Mode(0)),
     ("asymmetric", Mode(1)),
+    ("mixed", Mode(0)),
 )
 
 HEAD = """# Mistakes that the suite knows
@@ -49,7 +51,7 @@ about it.
 
 TABLE = """## Which scenario catches which mistake
 
-**P** the picture differs; L only the log-odds differ; · neither does. All without noise but the last two columns.
+**P** the picture differs; L only the log-odds differ; · neither does. All without noise but the last three columns.
 """
 
 
@@ -59,7 +61,7 @@ def catches(mistake: type[Mapper], name: str, mode: Mode) -> str:
         return ""
     one = case(name)
     expected = reference_map(one, mode)
-    drawn = mistake(world_of(one), mode.seed).draw()
+    drawn = mistake.of(one, mode.seed).draw()
     if drawn.pixels.shape != expected.pixels.shape:
         return "P"
     if (drawn.pixels != expected.pixels).any():

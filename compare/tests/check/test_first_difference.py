@@ -110,7 +110,9 @@ def test_a_mistake_in_the_scan_as_a_whole_is_told_as_such(name: str) -> None:
     assert difference is not None
     assert (difference.scan, difference.beam) == (0, None)
     assert difference.candidates
-    assert "scan as a whole" in difference.undetermined[0]
+    assert (
+        "look at how you compute the bearings" in (difference.undetermined[0])
+    )
 
 
 def test_noise_is_traced_to_its_scan() -> None:

@@ -11,8 +11,10 @@ function update(gx, gy, step,  l) {
     if (l < P["l_min"]) l = P["l_min"]
     grid[gx, gy] = l
 }
-function start(  gx, gy) {
+function start(  gx, gy, i, required) {
     started = 1
+    split("width height resolution origin_x origin_y max_range", required, " ")
+    for (i in required) if (!(required[i] in P)) fail("occgrid_" required[i] " is missing")
     l0 = bug == "prior" ? 0 : logit(P["p0"])
     occ = logit(P["p_occ"]) - l0
     free = logit(P["p_free"]) - l0
@@ -64,6 +66,15 @@ BEGIN {
     P["no_return"] = "free"; P["fov"] = pi; P["beams"] = 181
 }
 { sub(/\r$/, "") }
+function fail(reason) { printf "%s:%d: %s\n", FILENAME, NR, reason > "/dev/stderr"; failed = 1; exit 1 }
+function is_number(text) { return text ~ /^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$/ }
+$1 == "PARAM" && $2 ~ /^occgrid_/ {
+    if (started) fail("PARAM must stand before the first scan")
+    if ($2 != "occgrid_no_return" && !is_number($3)) fail("not a number")
+    if ($2 ~ /^occgrid_p/ && ($3 <= 0 || $3 >= 1)) fail("not between 0 and 1")
+}
+$1 == "POSE" && (NF < 4 || $4 ~ /^#/ || $3 ~ /^#/ || !is_number($2) || !is_number($3) || !is_number($4)) { fail("POSE takes 3 values") }
+$1 == "FLASER" { for (i = 3; i < 3 + $2; i++) if ($i ~ /^-[0-9.]*[1-9]/) fail("a range is negative") }
 $1 == "PARAM" && $2 ~ /^occgrid_/ { P[substr($2, 9)] = $3 == "free" || $3 == "ignore" ? $3 : $3 + 0 }
 $1 == "WALL" { walls++; X0[walls] = $2; Y0[walls] = $3; X1[walls] = $4; Y1[walls] = $5 }
 $1 == "POSE" {
@@ -83,6 +94,7 @@ $1 == "ROBOTLASER1" {
     for (i = 0; i < n; i++) beam($(11 + n + m) + 0, $(12 + n + m) + 0, $(13 + n + m) + 0, $3 + i * $5, $(10 + i))
 }
 END {
+    if (failed) exit 1
     print "P2"; print P["width"], P["height"]; print 255
     for (gy = P["height"] - 1; gy >= 0; gy--) {
         for (gx = 0; gx < P["width"]; gx++) {

@@ -22,17 +22,36 @@ my %p = (
 );
 my (@walls, @scans);
 open(my $in, '<', $file) or die "cannot open $file: $!\n";
+sub fail { die "$file:$.: $_[0]\n" }
+sub number {
+    my $text = shift;
+    fail("not a number") if $text !~ /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i && $text !~ /^[+-]?(?:nan|inf|infinity)$/i;
+    return $text;
+}
+my %required = map { $_ => 1 } qw(width height resolution origin_x origin_y max_range);
+sub start { for my $name (keys %required) { fail("occgrid_$name is missing") if !defined $p{$name} } }
 while (my $line = <$in>) {
     my @f = split ' ', $line;
     next if !@f || $f[0] =~ /^#/;
     if ($f[0] =~ /^(PARAM|WALL|POSE)$/) {
         for my $i (0 .. $#f) { if ($f[$i] =~ /^#/) { splice @f, $i; last } }
     }
-    if ($f[0] eq 'PARAM' && @f == 3 && $f[1] =~ /^occgrid_(\w+)$/) { $p{$1} = $f[2] }
-    elsif ($f[0] eq 'WALL') { push @walls, [@f[1 .. 4]] }
-    elsif ($f[0] eq 'POSE') { push @scans, { pose => [@f[1 .. 3]] } }
+    start() if $f[0] =~ /^(POSE|FLASER|ROBOTLASER1)$/;
+    if ($f[0] eq 'PARAM' && @f > 1 && $f[1] =~ /^occgrid_(\w+)$/) {
+        fail("PARAM must stand before the first scan") if @scans;
+        fail("PARAM takes 2 values") if @f != 3;
+        $p{$1} = $1 eq 'no_return' ? $f[2] : number($f[2]);
+        fail("not between 0 and 1") if $1 =~ /^p/ && ($f[2] <= 0 || $f[2] >= 1);
+    }
+    elsif ($f[0] eq 'WALL') { push @walls, [map { number($_) } @f[1 .. 4]] }
+    elsif ($f[0] eq 'POSE') {
+        fail("POSE takes 3 values") if @f != 4;
+        number($_) for @f[1 .. 3];
+        push @scans, { pose => [@f[1 .. 3]] };
+    }
     elsif ($f[0] eq 'FLASER') {
         my $n = $f[1];
+        for my $range (@f[2 .. $n + 1]) { fail("a range is negative") if number($range) !~ /nan/i && $range < 0 }
         my %parts = (180 => 180, 181 => 180, 360 => 360, 361 => 360, 400 => 720, 401 => 720);
         my $step = $n == 1 ? 0 : $pi / ($parts{$n} || $n - 1);
         push @scans, {

@@ -1,0 +1,73 @@
+"""Whether a map is the reference's of only some of the scans: the first 119, all but the first, every other."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from occgrid.scenario import Scenario
+from occgrid_parity.explain.closeness import (
+    compare_with_reference,
+    differing,
+)
+from occgrid_parity.explain.shorter_scenarios import Shortener
+from occgrid_parity.model.map_history import maps_after_scans
+from occgrid_parity.model.mapper_steps import Drawn
+from occgrid_parity.model.reference import picture, reference_map
+from occgrid_parity.model.worlds import world_of
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case
+from occgrid_parity.suite.modes import Mode
+
+LEAST_SCANS = 3
+
+
+def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
+    """Which scans the map shows, in a sentence; empty where it is no such map.
+
+    A seed's noise goes by the number of the scan, so there only the first scans are looked at.
+    """
+    shortener = Shortener(case)
+    count = len(shortener.scan_lines)
+    if count < LEAST_SCANS:
+        return ""
+    first = _first_scans(observed, case, mode)
+    tried = [(shortener.prefix(first), f"after {first} of {count} scans")]
+    if mode.seed is None:
+        every = range(count)
+        tried += [
+            (shortener.some(every[1:]), "without the first scan"),
+            (shortener.some(every[::2]), "of every other scan (0, 2, 4, ...)"),
+            (
+                shortener.some(every[1::2]),
+                "of every other scan (1, 3, 5, ...)",
+            ),
+            (shortener.some([*every, count - 1]), "with the last scan twice"),
+        ]
+    for shorter, words in tried:
+        compared = compare_with_reference(
+            observed, shorter, mode, own_poses=not case.is_file
+        )
+        whole = reference_map(case, mode)
+        same = (whole.log_odds == reference_map(shorter, mode).log_odds).all()
+        if compared.status != "differs" and not same:
+            return (
+                f"your map of {case.name} is exactly the reference's {words}"
+            )
+    return ""
+
+
+def _first_scans(observed: Observed, case: Case, mode: Mode) -> int:
+    """After how many scans, but not all of them, the reference is nearest to the map."""
+    world = world_of(case)
+    scenario = Scenario(
+        case.name, world.settings, list(world.walls), iter(world.scans)
+    )
+    wrong = [
+        int(
+            np.count_nonzero(
+                differing(observed, Drawn(g.log_odds, picture(g)))
+            )
+        )
+        for g in maps_after_scans(scenario, mode.seed)
+    ]
+    return int(np.argmin(wrong[:-1])) + 1

@@ -1,0 +1,177 @@
+"""What can be seen in a program's files without any guess: which grey levels, how many digits, which scale."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from occgrid.grid import sigmoid
+from occgrid_parity.explain.mistaken_maps import Evidence
+from occgrid_parity.formats.log_odds import bits
+from occgrid_parity.model.array_types import Array
+from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.worlds import world_of
+from occgrid_parity.suite.cases import scenario_folder
+
+TRINARY = {0, 205, 254}
+SINGLE_BITS = np.uint64(2**28 - 1)
+MOST_DIGITS = 15
+
+
+def observations(maps: Sequence[Evidence], reads_scenarios: bool) -> list[str]:
+    """Sentences about what is seen. ``maps`` are all maps of the program that have the right size."""
+    said = []
+    for look in (_maximum, _trinary, _single_update, _log_odds):
+        sentence = look(maps)
+        if sentence:
+            said.append(sentence)
+    if not reads_scenarios:
+        said += [text for one in maps if (text := _copied(one))]
+    return said
+
+
+def _maximum(maps: Sequence[Evidence]) -> str:
+    tops = {one.observed.top for one in maps} - {255}
+    if not tops:
+        return ""
+    return f"your picture's maximum is {min(tops)}; a PGM picture of a map has 255, and grey levels from 0 to 255"
+
+
+def _trinary(maps: Sequence[Evidence]) -> str:
+    levels = set()
+    expected = set()
+    for one in maps:
+        levels |= set(np.unique(one.observed.pixels).tolist())
+        expected |= set(
+            np.unique(reference_map(one.case, one.mode).pixels).tolist()
+        )
+    if not levels <= TRINARY or expected <= TRINARY or len(levels) < 2:
+        return ""
+    return (
+        "your pictures have no grey levels but 0, 205 and 254, which are those of ROS's map_saver (occupied, unknown, "
+        "free); SPEC.md section 2.6 wants the probability of each cell as one of 256 levels"
+    )
+
+
+def _single_update(maps: Sequence[Evidence]) -> str:
+    """Another probability, from cells that have been updated once."""
+    for free in (False, True):
+        said = [_once(one, free) for one in maps]
+        known = {text for text in said if text is not None}
+        if len(known) == 1 and "" not in known:
+            return known.pop()
+    return ""
+
+
+def _once(one: Evidence, free: bool) -> str | None:
+    """What the cells with one update show; None: there are none; empty: right, or of several greys."""
+    if one.observed.top != 255:
+        return None
+    world = world_of(one.case)
+    mapper = Mapper(world, one.mode.seed)
+    s = world.settings
+    step = mapper.steps()[0 if free else 1]
+    if s.p0 != 0.5:
+        return None
+    drawn = reference_map(one.case, one.mode)
+    cells = (drawn.log_odds == mapper.start() + step)[::-1]
+    levels, counts = np.unique(one.observed.pixels[cells], return_counts=True)
+    if counts.sum() < 3:
+        return None
+    expected = int(drawn.pixels[cells][0])
+    found = int(levels[counts.argmax()])
+    # a few cells may be on the other side of an edge, but one grey must be that of nearly all
+    if abs(found - expected) <= 1 or counts.max() < 0.9 * counts.sum():
+        return ""
+    p = round(1.0 - found / 255.0, 2)
+    if np.floor((1.0 - p) * 255.0 + 0.5) != found:
+        return ""
+    what, name = ("crossed", "p_free") if free else ("hit", "p_occ")
+    right = s.p_free if free else s.p_occ
+    return (
+        f"cells that one beam has {what} have grey level {found}, which is that of a probability of {p:.2f}; with "
+        f"{name} {right:.2f} it is {expected}"
+    )
+
+
+def _log_odds(maps: Sequence[Evidence]) -> str:
+    """What the log-odds of all maps together show."""
+    pairs = [
+        (one.observed.log_odds, reference_map(one.case, one.mode).log_odds)
+        for one in maps
+        if one.observed.log_odds is not None
+    ]
+    if not pairs:
+        return ""
+    found = np.concatenate([own.reshape(-1) for own, _ in pairs])
+    right = np.concatenate([ours.reshape(-1) for _, ours in pairs])
+    if (bits(found) == bits(right)).all():
+        return ""
+    for words, test in LOOKS:
+        if test(found, right):
+            return words
+    digits = _digits(found)
+    if digits is not None and _digits(right) != digits:
+        return (
+            f"your log-odds have at most {digits} significant digits; 17 are needed for a text that reads back to the "
+            "same double"
+        )
+    return ""
+
+
+def _single(found: Array, right: Array) -> bool:
+    return bool((bits(found) & SINGLE_BITS == 0).all()) and not bool(
+        (bits(right) & SINGLE_BITS == 0).all()
+    )
+
+
+def _base_10(found: Array, right: Array) -> bool:
+    return bool(np.allclose(found * np.log(10.0), right, 1e-9, 1e-9))
+
+
+def _probabilities(found: Array, right: Array) -> bool:
+    return bool(np.allclose(found, sigmoid(right), 1e-9, 1e-9))
+
+
+LOOKS: tuple[tuple[str, Callable[[Array, Array], bool]], ...] = (
+    (
+        "your log-odds file holds probabilities: they are those of the reference; write the log-odds themselves",
+        _probabilities,
+    ),
+    (
+        "your log-odds are those of the reference divided by log(10): the logarithm is taken to base 10, and must be "
+        "the natural one",
+        _base_10,
+    ),
+    (
+        "your log-odds are in single precision (the last 28 bits of every one are 0); the contract has doubles",
+        _single,
+    ),
+)
+
+
+def _digits(values: Array) -> int | None:
+    """How many significant digits are enough for all values; None where it takes more than MOST_DIGITS."""
+    some = np.unique(values)[:2000].tolist()
+    for digits in range(1, MOST_DIGITS + 1):
+        if all(float(f"{v:.{digits}g}") == v for v in some):
+            return digits
+    return None
+
+
+def _copied(one: Evidence) -> str:
+    """Whether the picture is the committed one."""
+    name = f"{one.case.name}.{one.mode.name}.pgm"
+    file = scenario_folder() / "golden" / name
+    if not file.is_file():
+        return ""
+    if hashlib.sha256(file.read_bytes()).hexdigest() != one.observed.digest:
+        return ""
+    return (
+        f"the picture is the suite's own {name} byte for byte, from a program that reads no scenario. A program that "
+        "follows SPEC.md can draw it, and a copied file looks the same: only a program that reads scenarios can be "
+        "told from a copy"
+    )
