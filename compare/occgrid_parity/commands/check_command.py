@@ -8,6 +8,7 @@ from rich.console import Console
 from occgrid.scenario import ScenarioError
 from occgrid_parity.commands.check_arguments import (
     DEFAULT_OUT,
+    BuildTimeout,
     ClassFolder,
     Explain,
     Gradescope,
@@ -21,7 +22,9 @@ from occgrid_parity.commands.check_arguments import (
     PortFile,
     Processes,
     Report,
+    RulesFile,
     Run,
+    SandboxChoice,
     Scenarios,
     Timeout,
 )
@@ -33,10 +36,12 @@ from occgrid_parity.commands.check_request import (
     chosen_modes,
 )
 from occgrid_parity.commands.class_check_run import run_class_check
+from occgrid_parity.commands.class_request import class_request
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.program_check_run import run_program_check
 from occgrid_parity.model.reference import golden_problem
 from occgrid_parity.processes.limits import MEBI, Limits
+from occgrid_parity.processes.wall import NoWall
 from occgrid_parity.programs.program import DEFAULT_TIMEOUT
 from occgrid_parity.suite.cases import LESSON
 from occgrid_parity.suite.modes import NOISE_FREE
@@ -59,6 +64,9 @@ def check_command(
     max_processes: Processes = 64,
     explain: Explain = True,
     jobs: Jobs = 2,
+    rules: RulesFile = None,
+    sandbox: SandboxChoice = None,
+    build_timeout: BuildTimeout = None,
 ) -> None:
     """Check any program against the suite, and explain the first difference.
 
@@ -83,16 +91,27 @@ def check_command(
         outputs.validate(class_folder)
         program = subject.program(timeout)
         problem = golden_problem(LESSON, NOISE_FREE)
-    except (OSError, ValueError, ScenarioError) as error:
+        request = CheckRequest(
+            outputs, limits, cases, modes, timeout, explain, jobs
+        )
+        of_class = (
+            None
+            if class_folder is None
+            else class_request(
+                class_folder,
+                request,
+                rules,
+                None if sandbox is None else sandbox.value,
+                build_timeout,
+            )
+        )
+    except (OSError, ValueError, ScenarioError, NoWall) as error:
         print_plain(Console(stderr=True), str(error))
         raise typer.Exit(2) from error
     if problem is not None:
         print_plain(console, problem)
         raise typer.Exit(1)
-    request = CheckRequest(
-        outputs, limits, cases, modes, timeout, explain, jobs
-    )
     if program is not None:
         raise typer.Exit(run_program_check(console, program, request))
-    assert class_folder is not None
-    raise typer.Exit(run_class_check(console, class_folder, request))
+    assert class_folder is not None and of_class is not None
+    raise typer.Exit(run_class_check(console, class_folder, of_class))

@@ -25,7 +25,8 @@ class Program:
     """A command template and where it runs.
 
     ``cwd`` None: in the run's own empty folder. ``build`` are commands to run first, in ``folder``. ``words`` is the
-    command as it was given, ``option`` how to give it to ``occgrid-parity check`` again.
+    command as it was given, ``option`` how to give it to ``occgrid-parity check`` again, ``python`` what
+    {python} becomes.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Program:
     build_timeout: float = 900.0
     words: str = ""
     option: str = ""
+    python: str = sys.executable
 
     def has(self, *names: str) -> bool:
         """Whether the command has one of the placeholders."""
@@ -75,7 +77,7 @@ class Program:
         texts = {
             **{name: " ".join(words) for name, words in lists.items()},
             "port": str(self.folder),
-            "python": sys.executable,
+            "python": self.python,
             "out": str(out),
             "pgm": str(pgm),
             "seed": str(mode.seed or 0),
