@@ -7,7 +7,7 @@ import re
 import textwrap
 from collections.abc import Callable
 
-from occgrid_handouts.snippets import MAX_COLUMNS
+from occgrid_parity.ports.snippets import MAX_COLUMNS
 
 
 class CutError(ValueError):

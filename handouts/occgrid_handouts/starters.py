@@ -20,7 +20,8 @@ from occgrid_handouts.function_bodies import has_function, without_body
 from occgrid_handouts.languages import Language
 from occgrid_handouts.packages import SOURCES
 from occgrid_handouts.project import Edition
-from occgrid_handouts.snippets import Snippet, read_snippets
+from occgrid_handouts.snippets import read_snippets
+from occgrid_parity.ports.snippets import Snippet
 
 # what answers the shared vectors: the port's probe
 PROBES: Mapping[str, tuple[str, ...]] = {

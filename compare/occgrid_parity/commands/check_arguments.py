@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from pathlib import Path
 from typing import Annotated
 
@@ -81,7 +82,10 @@ Report = Annotated[
 
 JUnit = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="Write the levels as JUnit XML."),
+    typer.Option(
+        metavar="FILE",
+        help="Write the levels as JUnit XML; with --class, NAME for each submission.",
+    ),
 ]
 
 
@@ -135,4 +139,40 @@ Explain = Annotated[
 
 Jobs = Annotated[
     int, typer.Option(min=1, help="With --class: how many side by side.")
+]
+
+
+class SandboxWord(enum.Enum):
+    """Whether programs run behind a wall."""
+
+    AUTO = "auto"
+    REQUIRE = "require"
+    NONE = "none"
+
+
+SandboxChoice = Annotated[
+    SandboxWord | None,
+    typer.Option(
+        "--sandbox",
+        help="With --class: a wall around each program where that works (auto, the default), always, or never.",
+    ),
+]
+
+
+RulesFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--rules",
+        metavar="FILE",
+        help="With --class: the instructor's rules (default: DIR/class.toml).",
+    ),
+]
+
+
+BuildTimeout = Annotated[
+    float | None,
+    typer.Option(
+        min=0.1,
+        help="With --class: seconds for each build command (default: class.toml's, or 300).",
+    ),
 ]

@@ -9,6 +9,7 @@ from occgrid.scenario import ScenarioError
 from occgrid_parity.check.starter import starter_lines
 from occgrid_parity.commands.check_arguments import (
     DEFAULT_OUT,
+    BuildTimeout,
     ClassFolder,
     Explain,
     Gradescope,
@@ -22,7 +23,9 @@ from occgrid_parity.commands.check_arguments import (
     PortFile,
     Processes,
     Report,
+    RulesFile,
     Run,
+    SandboxChoice,
     Scenarios,
     Timeout,
 )
@@ -34,10 +37,12 @@ from occgrid_parity.commands.check_request import (
     chosen_modes,
 )
 from occgrid_parity.commands.class_check_run import run_class_check
+from occgrid_parity.commands.class_request import class_request
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.program_check_run import run_program_check
 from occgrid_parity.model.reference import golden_problem
 from occgrid_parity.processes.limits import MEBI, Limits
+from occgrid_parity.processes.wall import NoWall
 from occgrid_parity.programs.program import DEFAULT_TIMEOUT
 from occgrid_parity.suite.cases import LESSON
 from occgrid_parity.suite.modes import NOISE_FREE
@@ -60,6 +65,9 @@ def check_command(
     max_processes: Processes = 64,
     explain: Explain = True,
     jobs: Jobs = 2,
+    rules: RulesFile = None,
+    sandbox: SandboxChoice = None,
+    build_timeout: BuildTimeout = None,
 ) -> None:
     """Check any program against the suite, and explain where it goes wrong.
 
@@ -85,7 +93,21 @@ def check_command(
         program = subject.program(timeout)
         problem = golden_problem(LESSON, NOISE_FREE)
         about_starter = [] if port is None else starter_lines(port)
-    except (OSError, ValueError, ScenarioError) as error:
+        request = CheckRequest(
+            outputs, limits, cases, modes, timeout, explain, jobs
+        )
+        of_class = (
+            None
+            if class_folder is None
+            else class_request(
+                class_folder,
+                request,
+                rules,
+                None if sandbox is None else sandbox.value,
+                build_timeout,
+            )
+        )
+    except (OSError, ValueError, ScenarioError, NoWall) as error:
         print_plain(Console(stderr=True), str(error))
         raise typer.Exit(2) from error
     if problem is not None:
@@ -93,10 +115,7 @@ def check_command(
         raise typer.Exit(1)
     for line in about_starter:
         print_plain(console, line)
-    request = CheckRequest(
-        outputs, limits, cases, modes, timeout, explain, jobs
-    )
     if program is not None:
         raise typer.Exit(run_program_check(console, program, request))
-    assert class_folder is not None
-    raise typer.Exit(run_class_check(console, class_folder, request))
+    assert class_folder is not None and of_class is not None
+    raise typer.Exit(run_class_check(console, class_folder, of_class))

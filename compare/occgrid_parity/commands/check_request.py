@@ -61,10 +61,8 @@ class Outputs:
         """Raises ValueError where a class is asked for what only one program has."""
         if class_folder is None:
             return
-        if self.junit or self.gradescope or self.json_file:
-            raise ValueError(
-                "--json, --junit and --gradescope are for one program"
-            )
+        if self.json_file:
+            raise ValueError("--json is for one program")
         if not class_folder.is_dir():
             raise ValueError(f"{class_folder} is no folder")
 

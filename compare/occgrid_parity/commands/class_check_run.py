@@ -2,55 +2,78 @@
 
 from __future__ import annotations
 
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from types import FrameType
 
 from rich.console import Console
 
-from occgrid_parity.check.class_run import ClassPlan, OnChecked, check_class
-from occgrid_parity.check.class_summary import SUMMARY
-from occgrid_parity.check.program_maps import ComparedMap
-from occgrid_parity.check.verdict import Verdict
-from occgrid_parity.commands.check_request import CheckRequest
+from occgrid_parity.commands.class_request import ClassRequest
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.console_progress import ConsoleProgress
-from occgrid_parity.report.check_page import write_check_page
-from occgrid_parity.report.class_page import write_class_page
+from occgrid_parity.course.class_run import ClassPlan, ClassRun
+from occgrid_parity.course.class_summary import MISTAKES, SUMMARY
+from occgrid_parity.report.run_page import PAGE_FILE
+
+
+class Interrupted(KeyboardInterrupt):
+    """A signal asks for the end; ``number`` says which."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
 
 
 def run_class_check(
-    console: Console, folder: Path, request: CheckRequest
+    console: Console, folder: Path, request: ClassRequest
 ) -> int:
     """Checks every program of a folder; returns the exit status: 0 where all are as they should be."""
-    out, report = request.outputs.folder, request.outputs.report
     plan = ClassPlan(
-        folder,
-        out,
-        request.limits,
-        request.jobs,
-        request.cases,
-        request.modes,
-        request.timeout,
+        folder, request.out, request.wanted, request.jobs, request.report
     )
-    on_checked = None if report is None else page_writer(report)
-    with ConsoleProgress(console) as progress:
-        found = check_class(plan, progress, on_checked)
+    print_plain(console, request.rules_text)
+    progress = ConsoleProgress(console)
+    run = ClassRun(plan, progress)
+    try:
+        with progress, interruptible():
+            found = run.check()
+    except Interrupted as interrupted:
+        print_plain(
+            console,
+            f"stopped: {len(run.found)} of {len(run.places)} are checked and written to {plan.out}. The same command "
+            "again goes on from there.",
+        )
+        return 128 + interrupted.number
     good = sum(one.verdict.exit_status == 0 for one in found)
+    if run.taken_up:
+        print_plain(
+            console,
+            f"{run.taken_up} of {len(found)} have not changed and were taken over from an earlier run",
+        )
     print_plain(
         console,
-        f"{good} of {len(found)} are as they should be; {out / SUMMARY}",
+        f"{good} of {len(found)} are as they should be; {plan.out / SUMMARY}, {plan.out / MISTAKES}",
     )
-    if report is not None:
-        rows = [(one.name, one.verdict) for one in found]
-        print_plain(console, f"report: {write_class_page(rows, report)}")
+    if plan.report is not None:
+        print_plain(console, f"report: {plan.report / PAGE_FILE}")
     return 0 if found and good == len(found) else 1
 
 
-def page_writer(report: Path) -> OnChecked:
-    """Writes the page of each submission into a folder of its own, as soon as it is checked."""
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Ctrl-C and SIGTERM raise Interrupted once; from then on they are ignored, so that the end is in order."""
+    numbers = (signal.SIGINT, signal.SIGTERM)
 
-    def write_page(
-        name: str, verdict: Verdict, maps: list[ComparedMap]
-    ) -> None:
-        write_check_page(verdict, maps, report / name)
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        for one in numbers:
+            signal.signal(one, signal.SIG_IGN)
+        raise Interrupted(number)
 
-    return write_page
+    before = [signal.signal(number, interrupt) for number in numbers]
+    try:
+        yield
+    finally:
+        for number, handler in zip(numbers, before, strict=True):
+            signal.signal(number, handler)

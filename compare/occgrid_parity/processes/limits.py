@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import os
 import re
 import signal
 import sys
@@ -11,8 +12,10 @@ import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from occgrid_parity.processes.process_group import first_line, run_process
+from occgrid_parity.processes.wall import NONE, Wall
 
 SUPERVISOR = Path(__file__).with_name("supervisor.py")
 GRACE = 10.0  # seconds that the supervisor has to clean up
@@ -21,6 +24,11 @@ TAIL = 65536  # bytes of standard error in which a traceback is looked for
 PLACE = re.compile(r'\s+File "(?P<file>[^"]+)", line (?P<line>[0-9]+)')
 EXCEPTION = re.compile(r"[A-Za-z_][\w.]*(?:: .*)?$")
 LIBRARY = re.compile(r"/lib(?:64)?/python[0-9.]*/|/site-packages/|^<")
+
+# a shell's exit statuses
+NOT_EXECUTABLE = 126
+NOT_FOUND = 127
+SIGNALLED = 128
 
 MISSING = (
     "No such file or directory",
@@ -70,9 +78,13 @@ def run_limited(
     watch: Path,
     limits: Limits,
     stop: threading.Event | None = None,
+    wall: Wall = NONE,
+    readable: Sequence[Path] = (),
+    writable: Sequence[Path] = (),
 ) -> Ended:
     """Runs ``command`` in ``cwd``; ``folder`` gets its stdout and stderr, ``watch`` is where its files count.
 
+    Behind a ``wall`` it sees the ``readable`` and ``writable`` folders, and those of the system.
     Raises occgrid_parity.processes.process_group.Stopped when ``stop`` is set meanwhile.
     """
     folder.mkdir(parents=True, exist_ok=True)
@@ -85,7 +97,12 @@ def run_limited(
     config.write_text(
         json.dumps(
             {
-                "command": list(command),
+                "command": wall.around(
+                    command, cwd=cwd, readable=readable, writable=writable
+                ),
+                "walled": wall.works,
+                "parent": os.getpid(),
+                "left": str(folder / "left"),
                 "cwd": str(cwd),
                 "stdout": str(stdout),
                 "stderr": str(stderr),
@@ -111,7 +128,11 @@ def run_limited(
         message = f"the run could not be watched to its end ({said})"
         return Ended("lost", message, finished.seconds, stdout, stderr)
     told = json.loads(report.read_text())
-    word, message = _what_went_wrong(told, command, limits, stdout, stderr)
+    if wall.works:
+        _behind_the_wall(told, folder / "left")
+    word, message = _what_went_wrong(
+        told, command, limits, stdout, stderr, wall
+    )
     return Ended(
         word,
         message,
@@ -124,14 +145,35 @@ def run_limited(
     )
 
 
+def _behind_the_wall(told: dict[str, Any], left: Path) -> None:
+    """What bubblewrap and the shell in it tell in other ways: signals, and processes that were left behind."""
+    if told["status"] is not None and told["status"] > SIGNALLED:
+        told["status"] = SIGNALLED - told["status"]
+    try:
+        told["left"] = max(0, int(left.read_bytes()[:20]))
+    except (OSError, ValueError):
+        told["left"] = 0  # the shell was ended before it could count
+
+
 def _what_went_wrong(
-    told: dict[str, object],
+    told: dict[str, Any],
     command: Sequence[str],
     limits: Limits,
     stdout: Path,
     stderr: Path,
+    wall: Wall,
 ) -> tuple[str, str]:
     """Word and message of a run that the supervisor tells of."""
+    status = told["status"]
+    if wall.works and status in (NOT_EXECUTABLE, NOT_FOUND):
+        said = _telling_line(stderr)
+        if said.startswith(f"sh: 1: {command[0]}: "):
+            word = "not found" if status == NOT_FOUND else "not executable"
+            reason = said.rpartition(": ")[2]
+            return (
+                word,
+                f"the program cannot be started: {command[0]}: {reason}",
+            )
     if told["start_error"]:
         what = f"{command[0]}: {told['start_reason']}"
         if told["start_error"] == errno.ENOENT and "/" not in command[0]:
@@ -140,7 +182,6 @@ def _what_went_wrong(
             return "not found", f"the program cannot be started: {what}"
         return "not executable", f"the program cannot be started: {what}"
     printed = max(file.stat().st_size for file in (stdout, stderr))
-    status = told["status"]
     too_much = printed >= limits.output or status == -signal.SIGXFSZ
     if told["word"] == "too much output" or too_much:
         return (

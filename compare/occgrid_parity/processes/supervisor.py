@@ -25,6 +25,8 @@ LOOK = 0.05  # seconds between two looks at memory and processes
 MEASURE = 0.25  # seconds between two looks at the files
 PROC = Path("/proc")
 SPARE_PROCESSES = 64
+LEFT = 9  # behind a wall, a shell writes there how many processes the command left
+WALL_PROCESSES = 3  # bubblewrap, the first process in it, and that shell
 
 
 def prctl(option: int, value: int) -> None:
@@ -101,6 +103,11 @@ def become(config: dict[str, Any], failed: int) -> NoReturn:
             file = os.open(config[name], flags, 0o644)
             os.dup2(file, 1 if name == "stdout" else 2)
             os.close(file)
+        if config["walled"]:
+            file = os.open(config["left"], flags, 0o600)
+            os.dup2(file, LEFT)
+            if file != LEFT:
+                os.close(file)
         null = os.open(os.devnull, os.O_RDONLY)
         os.dup2(null, 0)
         os.chdir(config["cwd"])
@@ -150,7 +157,8 @@ class Watch:
             self.looked = now
             found = descendants()
             self.peak = max(self.peak, sum(found.values()))
-            if len(found) > self.config["processes"]:
+            own = WALL_PROCESSES if self.config["walled"] else 0
+            if len(found) > self.config["processes"] + own:
                 self.word = "forks"
             elif self.peak > self.config["memory"]:
                 self.word = "too much memory"
@@ -198,8 +206,11 @@ def end_all(child: int) -> int:
 def supervise(config: dict[str, Any]) -> dict[str, Any]:
     """Runs the command to its end; returns what there is to tell."""
     prctl(PR_SET_CHILD_SUBREAPER, 1)
-    reading, writing = os.pipe()
     watch = Watch(config)
+    prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+    if os.getppid() != config["parent"]:
+        watch.stop(signal.SIGTERM, None)  # the parent died meanwhile
+    reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
         os.close(reading)

@@ -26,7 +26,7 @@ class Program:
 
     ``cwd`` None: in the run's own empty folder. ``build`` are commands to run first, in ``folder``. ``probe`` answers
     the shared vectors. ``words`` is the command as it was given, ``option`` how to give it to ``occgrid-parity check``
-    again.
+    again, ``python`` what {python} becomes.
     """
 
     name: str
@@ -39,6 +39,7 @@ class Program:
     words: str = ""
     option: str = ""
     probe: tuple[str, ...] = ()
+    python: str = sys.executable
 
     def has(self, *names: str) -> bool:
         """Whether the command has one of the placeholders."""
@@ -77,7 +78,7 @@ class Program:
         texts = {
             **{name: " ".join(words) for name, words in lists.items()},
             "port": str(self.folder),
-            "python": sys.executable,
+            "python": self.python,
             "out": str(out),
             "pgm": str(pgm),
             "seed": str(mode.seed or 0),

@@ -7,7 +7,7 @@ import shlex
 import shutil
 import threading
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Protocol
 
@@ -15,6 +15,7 @@ from occgrid_parity.formats.plain_text import clean
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.ports.probing import run_probe
 from occgrid_parity.processes.limits import Limits, run_limited
+from occgrid_parity.processes.wall import NONE, Wall
 from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
 from occgrid_parity.programs.program import Program
 from occgrid_parity.suite.cases import Case
@@ -75,8 +76,10 @@ class CommandRunner:
         folder: Path,
         limits: Limits,
         stop: threading.Event | None = None,
+        wall: Wall = NONE,
     ) -> None:
-        self.program = program
+        self.program = replace(program, python=wall.python)
+        self.wall = wall
         self.folder = folder
         self.limits = limits
         self.stop = stop
@@ -91,7 +94,7 @@ class CommandRunner:
     def build(self) -> Outcome | None:
         """Runs the program's build commands; what went wrong, or None."""
         for number, template in enumerate(self.program.build, 1):
-            program = Program(self.name, template, self.program.folder)
+            program = replace(self.program, command=template)
             ended = run_limited(
                 program.arguments(None, self.folder, self.folder, Mode(None)),
                 cwd=self.program.folder,
@@ -104,6 +107,8 @@ class CommandRunner:
                     8 * self.limits.processes,
                 ),
                 stop=self.stop,
+                wall=self.wall,
+                writable=[self.program.folder],
             )
             if ended.word:
                 message = f"{shlex.join(template)}: {ended.message}"
@@ -129,6 +134,12 @@ class CommandRunner:
             watch=out,
             limits=self.limits,
             stop=self.stop,
+            wall=self.wall,
+            readable=[
+                self.program.folder,
+                *([] if scenario is None else [scenario.parent]),
+            ],
+            writable=[out],
         )
         notes = []
         if ended.left:

@@ -38,10 +38,11 @@ class Row:
 
 
 def write_class_page(
-    submissions: Sequence[tuple[str, Verdict]], target: Path
+    submissions: Sequence[tuple[str, Verdict]], target: Path, total: int
 ) -> Path:
     """Write the table of a class into a folder that holds the submissions' pages; returns its file.
 
+    ``total`` is how many submissions there are, with those that are not checked yet.
     Failures come first; among them, and among the others, the order is the given one.
     """
     rows = sorted(
@@ -53,6 +54,7 @@ def write_class_page(
         .get_template("class.html")
         .render(
             rows=rows,
+            total=total,
             good=sum(not row.failed for row in rows),
             causes=_causes(submissions),
             note=f"* {HALVES}",
@@ -70,7 +72,7 @@ def _row(name: str, verdict: Verdict) -> Row:
     level, difference = verdict.failed_level, verdict.first_difference
     return Row(
         name=name,
-        page=f"{quote(name)}/{PAGE_FILE}",
+        page=f"submissions/{quote(name)}/{PAGE_FILE}",
         verdict=verdict_word(verdict),
         tone=TONES[verdict_status(verdict)],
         level=level.title if level else "",

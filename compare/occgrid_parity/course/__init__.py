@@ -1,0 +1,1 @@
+"""A whole class: the instructor's rules, each program behind a wall, and results that last."""

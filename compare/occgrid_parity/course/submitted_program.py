@@ -1,0 +1,97 @@
+"""The program of a submission: what the instructor gives, and what the student may say."""
+
+from __future__ import annotations
+
+import shlex
+import tomllib
+from dataclasses import replace
+from pathlib import Path
+
+from occgrid_parity.course.rules import ProgramRules
+from occgrid_parity.ports.declaration import DECLARATION
+from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.programs.program import (
+    DEFAULT_TIMEOUT,
+    Program,
+    program_from_port,
+)
+
+DECIDED = ("build_timeout",)
+"""Keys of a port.toml that never count in a class."""
+
+
+def submitted_program(
+    folder: Path, given: ProgramRules, timeout: float | None
+) -> tuple[Program, list[str]]:
+    """The program in a folder, and a line for each of the student's keys that does not count.
+
+    Without ``timeout`` a student may ask for less time, not for more. Raises PortError where there is no such program.
+    """
+    file = folder / DECLARATION
+    notes: list[str] = []
+    if given.run is None:
+        program = program_from_port(file, timeout)
+        keys = _keys(file)
+        allowed = [key for key in given.allowed if key not in DECIDED]
+        notes += _ignored(keys, allowed)
+        if "run" not in allowed:
+            raise PortError(
+                f"{file}: run is needed, and class.toml neither gives it nor allows it"
+            )
+        if "build" not in allowed:
+            program = replace(program, build=())
+        if timeout is None:
+            seconds = program.timeout if "timeout" in allowed else None
+            timeout = min(seconds or DEFAULT_TIMEOUT, DEFAULT_TIMEOUT)
+    else:
+        program = Program(
+            folder.name,
+            tuple(given.run),
+            folder,
+            words=shlex.join(given.run),
+            option=f"--port {shlex.quote(str(file))}",
+        )
+        if program.has("out", "pgm"):
+            program = replace(program, cwd=folder)
+        else:
+            program = replace(
+                program,
+                command=tuple(_in_folder(word, folder) for word in given.run),
+            )
+        if file.is_file():
+            keys = _keys(file)
+            notes += _ignored(keys, [k for k in given.allowed if k != "run"])
+            if "build" in given.allowed and "build" in keys:
+                own = program_from_port(file)
+                program = replace(program, build=own.build)
+    if given.build is not None:
+        build = tuple(tuple(command) for command in given.build)
+        program = replace(program, build=build)
+    return (
+        replace(program, name=folder.name, timeout=timeout or DEFAULT_TIMEOUT),
+        notes,
+    )
+
+
+def _keys(file: Path) -> list[str]:
+    try:
+        return list(tomllib.loads(file.read_text(encoding="utf-8")))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise PortError(f"{file}: {error}") from error
+
+
+def _ignored(keys: list[str], allowed: list[str]) -> list[str]:
+    return [
+        f"{key} in {DECLARATION} does not count: the instructor decides it"
+        for key in keys
+        if key not in allowed
+        and key in ("run", "build", "timeout", "build_timeout")
+    ]
+
+
+def _in_folder(word: str, folder: Path) -> str:
+    """A word that names a file of the submission as its full path."""
+    path = folder / word
+    if "{" in word or word.startswith(("-", "/")) or not path.is_file():
+        return word
+    return str(path)

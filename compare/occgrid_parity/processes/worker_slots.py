@@ -1,0 +1,123 @@
+"""Work in processes of its own, which can be ended at any time. One that dies costs nobody else."""
+
+from __future__ import annotations
+
+import ctypes
+import multiprocessing
+import os
+import queue
+import signal
+import sys
+import threading
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from types import FrameType
+from typing import TypeVar
+
+import psutil
+
+from occgrid_parity.processes.process_group import Stopped
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+LOOK = 0.1  # seconds between two looks whether to stop
+GRACE = 8.0  # seconds that a process has to end its own children
+TRIES = 2
+PR_SET_PDEATHSIG = 1
+
+
+class WorkerLost(Exception):
+    """The process that did the work died, and so did the next that tried."""
+
+
+class WorkerSlots:
+    """Processes, as many as work is done at a time. Each does one piece after the other, and keeps what it has read."""
+
+    def __init__(self, jobs: int) -> None:
+        self.free: queue.SimpleQueue[_Worker | None] = queue.SimpleQueue()
+        for _ in range(jobs):
+            self.free.put(None)
+
+    def run(
+        self, work: Callable[[T], R], argument: T, stop: threading.Event
+    ) -> R:
+        """Does the work in a free process.
+
+        Raises Stopped when ``stop`` is set meanwhile, and WorkerLost where the process dies twice.
+        """
+        worker = self.free.get()
+        try:
+            for _ in range(TRIES):
+                if stop.is_set():
+                    raise Stopped
+                try:
+                    worker = worker or _Worker()
+                    return worker.run(work, argument, stop)
+                except BrokenProcessPool:
+                    if worker is not None:
+                        worker.end()
+                    worker = None
+            raise WorkerLost(f"the process that did it died {TRIES} times")
+        finally:
+            self.free.put(worker)
+
+    def close(self) -> None:
+        """Ends the processes."""
+        while not self.free.empty():
+            worker = self.free.get()
+            if worker is not None:
+                worker.end()
+
+
+class _Worker:
+    """One process."""
+
+    def __init__(self) -> None:
+        if hasattr(signal, "pthread_sigmask"):  # Ctrl-C is for the parent
+            signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        self.executor = ProcessPoolExecutor(
+            1, multiprocessing.get_context("spawn"), initializer=_prepare
+        )
+        self.pid = self.executor.submit(os.getpid).result()
+
+    def run(
+        self, work: Callable[[T], R], argument: T, stop: threading.Event
+    ) -> R:
+        future = self.executor.submit(work, argument)
+        while not future.done():
+            wait([future], timeout=LOOK)
+            if stop.is_set() and not future.done():
+                os.kill(self.pid, signal.SIGTERM)
+                wait([future], timeout=GRACE)
+                raise Stopped
+        return future.result()
+
+    def end(self) -> None:
+        """Ends the process and whatever it has started."""
+        try:
+            process = psutil.Process(self.pid)
+            tree = [process, *process.children(recursive=True)]
+        except psutil.NoSuchProcess:
+            tree = []
+        for one in tree:
+            try:
+                one.kill()
+            except psutil.NoSuchProcess:
+                continue
+        self.executor.shutdown(wait=True, cancel_futures=True)
+
+
+def _prepare() -> None:
+    """In the new process: SIGTERM ends the work at hand; the parent's death ends all."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(signal, "pthread_sigmask"):
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+    signal.signal(signal.SIGTERM, _stop_work)
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+
+
+def _stop_work(number: int, frame: FrameType | None) -> None:
+    raise SystemExit(128 + number)

@@ -1,0 +1,162 @@
+"""What a class run has found is never lost: names, interruptions, second runs, builds without an end."""
+
+from __future__ import annotations
+
+import csv
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+from occgrid_parity.check.verdict import from_json
+
+from ..check_helpers import PROGRAMS
+
+RIGHT = 'run = ["awk", "-f", "lesson.awk", "{scenario}"]\n'
+COMMAND = [sys.executable, "-m", "occgrid_parity", "check", "--class", "in"]
+QUICK = ["--scenario", "one-beam", "--timeout", "30"]
+
+
+def submit(folder: Path, name: str, declaration: str = RIGHT) -> Path:
+    """A submission with the mapper in awk beside its declaration."""
+    place = folder / "in" / name
+    place.mkdir(parents=True)
+    (place / "lesson.awk").write_bytes((PROGRAMS / "lesson.awk").read_bytes())
+    (place / "port.toml").write_text(declaration)
+    return place
+
+
+def check(folder: Path, *options: str) -> subprocess.CompletedProcess[str]:
+    """A whole run over the class in ``folder``."""
+    return subprocess.run(
+        [*COMMAND, *QUICK, "--out", "out", *options],
+        cwd=folder,
+        text=True,
+        capture_output=True,
+    )
+
+
+def rows(folder: Path) -> dict[str, dict[str, str]]:
+    """The summary, by submission."""
+    with (folder / "out" / "summary.csv").open(newline="") as file:
+        return {row["submission"]: row for row in csv.DictReader(file)}
+
+
+def test_no_name_reaches_the_results(tmp_path: Path) -> None:
+    names = ["summary.csv", "mistakes.csv", "submissions", "index.html"]
+    for name in [*names, "plain"]:
+        submit(tmp_path, name)
+    ended = check(tmp_path, "--report", "report")
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert set(rows(tmp_path)) == {*names, "plain"}
+    assert (tmp_path / "report" / "index.html").is_file()
+    for name in names:
+        page = tmp_path / "report" / "submissions" / name / "index.html"
+        assert page.is_file()
+
+
+def test_results_inside_the_class_are_no_submission(tmp_path: Path) -> None:
+    submit(tmp_path, "one")
+    for _ in range(2):
+        subprocess.run(
+            [*COMMAND[:-1], ".", *QUICK, "--out", "out", "--report", "pages"],
+            cwd=tmp_path / "in",
+            check=True,
+            capture_output=True,
+        )
+    assert set(rows(tmp_path / "in")) == {"one"}
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_stopped_and_taken_up(tmp_path: Path, number: signal.Signals) -> None:
+    submit(tmp_path, "a-right")
+    mark = f"10{os.getpid()}"
+    submit(tmp_path, "b-hangs", f'run = ["sh", "-c", "setsid sleep {mark}"]\n')
+    with subprocess.Popen(
+        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1"],
+        cwd=tmp_path,
+        text=True,
+        stdout=subprocess.PIPE,
+    ) as run:
+        deadline = time.monotonic() + 60
+        while not sleeping(mark) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        assert sleeping(mark)
+        run.send_signal(number)
+        printed, _ = run.communicate(timeout=60)
+    assert run.returncode == 128 + number
+    assert "stopped: 1 of 2 are checked and written to out" in printed
+    assert "The same command again goes on from there." in printed
+    assert not sleeping(mark)
+    assert set(rows(tmp_path)) == {"a-right"}
+
+    (tmp_path / "in" / "b-hangs" / "port.toml").write_text(RIGHT)
+    again = check(tmp_path)
+    assert again.returncode == 0, again.stdout
+    # --timeout is another rule: nothing is taken over by it
+    assert "taken over" not in again.stdout
+    third = check(tmp_path)
+    assert "2 of 2 have not changed and were taken over" in third.stdout
+
+
+def sleeping(mark: str) -> bool:
+    """Whether a process sleeps for just so long."""
+    return any(
+        one.info["cmdline"] == ["sleep", mark]
+        for one in psutil.process_iter(["cmdline"])
+    )
+
+
+def test_only_what_has_changed_is_checked_again(tmp_path: Path) -> None:
+    for name in "abc":
+        submit(tmp_path, name)
+    first = check(tmp_path)
+    assert "taken over" not in first.stdout
+    before = rows(tmp_path)
+    with (tmp_path / "in" / "b" / "lesson.awk").open("a") as file:
+        file.write("# one more line\n")
+    (tmp_path / "out" / "submissions" / "c" / "verdict.txt").unlink()
+    second = check(tmp_path)
+    assert "1 of 3 have not changed and were taken over" in second.stdout
+    after = rows(tmp_path)
+    assert after["a"] == before["a"]
+    assert set(after) == {"a", "b", "c"}
+    (tmp_path / "in" / "class.toml").write_text("[points]\nruns = 2\n")
+    third = check(tmp_path)
+    assert "taken over" not in third.stdout
+
+
+def test_a_build_that_sleeps_has_the_instructors_limit(tmp_path: Path) -> None:
+    submit(
+        tmp_path,
+        "sleeper",
+        RIGHT + 'build = [["sleep", "1000"]]\nbuild_timeout = 900\n',
+    )
+    started = time.monotonic()
+    ended = check(tmp_path, "--build-timeout", "2")
+    assert ended.returncode == 1
+    assert time.monotonic() - started < 60
+    row = rows(tmp_path)["sleeper"]
+    assert row["word"] == "does not build"
+    assert "no end after 2 s" in row["summary"]
+
+
+def test_a_link_is_not_followed(tmp_path: Path) -> None:
+    submit(tmp_path, "victim")
+    (tmp_path / "in" / "thief").symlink_to("victim")
+    inside = submit(tmp_path, "inside")
+    (inside / "theirs.awk").symlink_to("../victim/lesson.awk")
+    check(tmp_path)
+    found = rows(tmp_path)
+    assert found["thief"]["word"] == "not readable"
+    verdict = from_json(
+        (
+            tmp_path / "out" / "submissions" / "inside" / "verdict.json"
+        ).read_text()
+    )
+    assert "not a file, left out: theirs.awk" in verdict.notes
