@@ -123,7 +123,7 @@ class LevelChecks:
         cases = [first]
         if self.runner.reads_scenarios and not self.only_chosen:
             cases = [case_for(self.runner, name) for name in ORIENTED]
-        upright = seen = 0
+        upright: bool | None = None  # as the last of the cases tells
         for case in cases:
             try:
                 found: ComparedMap | None = self._compare(case, mode)
@@ -133,19 +133,17 @@ class LevelChecks:
             if observed is None or observed.observed is None:
                 continue
             if found is not None and found.compared.status != "differs":
-                upright += 1
-                seen += 1
+                upright = True
                 continue
             names = orientation(observed.observed, case, mode)
             if names:
                 self._fail_orientation(names, case, found)
                 return
             if found is not None:
-                seen += 1
-                upright += is_upright(observed.observed, case, mode)
-        if seen and upright == seen:
+                upright = is_upright(observed.observed, case, mode)
+        if upright:
             self._add(ORIENTATION, "passed")
-        elif not seen:
+        elif upright is None:
             self._add(ORIENTATION, "grey", "", "there is no map to look at")
         else:
             message = "your map is too far from the reference to tell which way up it is"

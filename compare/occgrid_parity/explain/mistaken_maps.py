@@ -14,9 +14,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from occgrid_parity.explain.closeness import Closeness, differing, grey_levels
+from occgrid_parity.explain.shorter_scenarios import Shortener
 from occgrid_parity.model.arithmetic import Arithmetic
 from occgrid_parity.model.array_types import Mask
 from occgrid_parity.model.mapper_steps import Drawn, Mapper, Traced
+from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import beams_of
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
@@ -25,6 +27,7 @@ from occgrid_parity.suite.modes import Mode
 
 LARGE = 10_000  # cells of a map of which a sample is drawn first
 SAMPLE = 16
+FEW_SCANS = 8
 FAR = 0.1  # share of the sample that no other sines and cosines can change
 ROUNDINGS = 1000  # additions that a cell's log-odds may have behind them
 
@@ -109,6 +112,9 @@ class MistakenMaps:
         batches = self._batches(mapper, one, numbers)
         s = mapper.settings
         if s.width * s.height >= LARGE and not halves:
+            if not self._shows(mistake, one):
+                self.far.add(mistake.name)
+                return False
             wrong, cells = self._sampled(mapper, one, batches)
             if wrong > FAR * cells:
                 self.far.add(mistake.name)
@@ -139,6 +145,34 @@ class MistakenMaps:
             if key not in self.shared:
                 self.shared[key] = list(mapper.batches())
             return self.shared[key]
+
+    def _shows(self, mistake: type[Mapper], one: Evidence) -> bool:
+        """Whether a map is wrong in one of the cells that the mistake changes in a few of the scans.
+
+        A map that is right in all of them was not drawn with this mistake. Saying so too often can only keep a cause from
+        being named.
+        """
+        few = self._few_scans(one)
+        if few is None:
+            return True
+        right = reference_map(few, one.mode)
+        drawn = mistake.of(few, one.mode.seed).draw()
+        if not _same_shape(drawn, one.observed):
+            return False
+        changed = drawn.pixels != right.pixels
+        whole = reference_map(one.case, one.mode)
+        if drawn.pixels.shape != whole.pixels.shape or not changed.any():
+            return True
+        wrong = one.observed.pixels != whole.pixels
+        return bool((changed & wrong).any())
+
+    def _few_scans(self, one: Evidence) -> Case | None:
+        """A scenario with a few of the scans; None where noise goes by their numbers or there are few already."""
+        shortener = Shortener(one.case)
+        count = len(shortener.scan_lines)
+        if one.mode.seed is not None or count < 4 * FEW_SCANS:
+            return None
+        return shortener.some(range(0, count, count // FEW_SCANS))
 
     def _sampled(
         self, mapper: Mapper, one: Evidence, batches: list[Traced] | None

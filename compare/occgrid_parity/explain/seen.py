@@ -24,10 +24,10 @@ MOST_DIGITS = 15
 def observations(maps: Sequence[Evidence], reads_scenarios: bool) -> list[str]:
     """Sentences about what is seen. ``maps`` are all maps of the program that have the right size."""
     said = []
-    for look in (_maximum, _trinary, _single_update, _log_odds):
-        sentence = look(maps)
-        if sentence:
-            said.append(sentence)
+    # the first that fits explains the grey levels
+    for looks in ((_maximum, _trinary, _single_update), (_log_odds,)):
+        sentences = (look(maps) for look in looks)
+        said += [text for text in sentences if text][:1]
     if not reads_scenarios:
         said += [text for one in maps if (text := _copied(one))]
     return said

@@ -5,7 +5,20 @@ No wrong program passes, no right one loses a point, and no cause is named that 
 
 from __future__ import annotations
 
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
 from typing import NamedTuple
+
+import pytest
+
+from occgrid_parity.check import levels
+from occgrid_parity.suite.cases import LESSON, TWIN
+
+from ..check_helpers import PROGRAMS, check_words, names
+from ..conftest import unavailable
 
 
 class Expected(NamedTuple):

@@ -63,7 +63,7 @@ function beam (x, y, a, range) {
     if (end) return
     const e2 = 2 * err
     if (e2 > -dy) { err -= dy; gx += sx }
-    if (is('half-error') ? err < dx / 2 : e2 < dx) { err += dx; gy += sy }
+    if (is('equal') ? e2 <= dx : e2 < dx) { err += dx; gy += sy }
   }
 }
 function recorded (ranges, at, first, step) {
