@@ -6,7 +6,7 @@ CONTRIBUTING.md says which, and where a language must differ. What a port define
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -122,12 +122,16 @@ def own_file(port: Port, end: str) -> list[Path]:
     ]
 
 
-def wrong_functions(port: Port, module: str) -> Iterator[str]:
+def wrong_functions(
+    port: Port,
+    module: str,
+    differences: Mapping[tuple[str, str], Difference] = DIFFERENCES,
+) -> Iterator[str]:
     """What is not as the tables say it."""
     usual = defined(module_files(port.folder, MODULES)[module])
     for signature in MODULES[module]:
         found, wanted = usual, signature
-        entry = DIFFERENCES.get((port.name, signature.name))
+        entry = differences.get((port.name, signature.name))
         if entry and fits(signature, usual):
             yield f"{signature} is as everywhere: its row among the differences goes"
             continue
