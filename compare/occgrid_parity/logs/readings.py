@@ -13,6 +13,7 @@ BINS = 1000 * BINS_PER_METRE + 1
 """Readings are counted to the centimetre, up to a kilometre: a table instead of all readings."""
 FLUSH = 1 << 16
 SHOWN_VALUES = 3
+FREQUENT = 0.05
 SUSPECT_LARGEST = 0.01
 SUSPECT_TIMES = 10
 SUSPECT_ZEROS = 0.001
@@ -62,9 +63,11 @@ class Readings:
             values = ", ".join(
                 f"{self._share(count)} at {where}"
                 for where, count in self._most_frequent(first)
+                if count >= FREQUENT * beyond
             )
             lines.append(
-                f"no return, {max_range:g} m or more: {self._share(beyond)} ({values})"
+                f"no return, {max_range:g} m or more: {self._share(beyond)}"
+                + (f" ({values})" if values else "")
             )
         dropped = [
             f"{self._share(count)} {what}"
