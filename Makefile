@@ -69,6 +69,12 @@ setup:  ## Install what is missing: Debian's packages, Python's in .venv
 setup-run:
 	@PYTHON="$(PYTHON)" scripts/setup run
 
+.PHONY: mutants mutants-sample
+mutants: setup-run  ## Change the Python port one small thing at a time: which scenario sees it? Report: build/mutants
+	$(BIN)/python -m occgrid_mutants --jobs $(JOBS) $(MUTANTS)
+mutants-sample: setup-run  ## The same for changes at random, for five minutes
+	$(BIN)/python -m occgrid_mutants --jobs $(JOBS) --minutes 5 $(MUTANTS)
+
 ##@ One port
 
 .PHONY: $(PORTS)

@@ -1,0 +1,1 @@
+"""Changes the Python port, one small thing at a time, and asks whether the scenarios see it."""
