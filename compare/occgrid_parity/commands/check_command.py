@@ -22,6 +22,7 @@ from occgrid_parity.commands.check_arguments import (
     PortFile,
     Processes,
     Report,
+    RosterFile,
     RulesFile,
     Run,
     SandboxChoice,
@@ -67,6 +68,7 @@ def check_command(
     rules: RulesFile = None,
     sandbox: SandboxChoice = None,
     build_timeout: BuildTimeout = None,
+    roster: RosterFile = None,
 ) -> None:
     """Check any program against the suite, and explain the first difference.
 
@@ -103,6 +105,7 @@ def check_command(
                 rules,
                 None if sandbox is None else sandbox.value,
                 build_timeout,
+                roster,
             )
         )
     except (OSError, ValueError, ScenarioError, NoWall) as error:
