@@ -176,3 +176,13 @@ BuildTimeout = Annotated[
         help="With --class: seconds for each build command (default: class.toml's, or 300).",
     ),
 ]
+
+
+RosterFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--roster",
+        metavar="FILE",
+        help="With --class: a CSV file with a column submission; writes moodle.csv and canvas.csv.",
+    ),
+]

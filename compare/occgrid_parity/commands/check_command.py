@@ -23,6 +23,7 @@ from occgrid_parity.commands.check_arguments import (
     PortFile,
     Processes,
     Report,
+    RosterFile,
     RulesFile,
     Run,
     SandboxChoice,
@@ -68,6 +69,7 @@ def check_command(
     rules: RulesFile = None,
     sandbox: SandboxChoice = None,
     build_timeout: BuildTimeout = None,
+    roster: RosterFile = None,
 ) -> None:
     """Check any program against the suite, and explain where it goes wrong.
 
@@ -105,6 +107,7 @@ def check_command(
                 rules,
                 None if sandbox is None else sandbox.value,
                 build_timeout,
+                roster,
             )
         )
     except (OSError, ValueError, ScenarioError, NoWall) as error:

@@ -15,6 +15,7 @@ from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.console_progress import ConsoleProgress
 from occgrid_parity.course.class_run import ClassPlan, ClassRun
 from occgrid_parity.course.class_summary import MISTAKES, SUMMARY
+from occgrid_parity.course.gradebook import CANVAS, MOODLE
 from occgrid_parity.report.run_page import PAGE_FILE
 
 
@@ -31,7 +32,12 @@ def run_class_check(
 ) -> int:
     """Checks every program of a folder; returns the exit status: 0 where all are as they should be."""
     plan = ClassPlan(
-        folder, request.out, request.wanted, request.jobs, request.report
+        folder,
+        request.out,
+        request.wanted,
+        request.jobs,
+        request.report,
+        request.roster,
     )
     print_plain(console, request.rules_text)
     progress = ConsoleProgress(console)
@@ -56,6 +62,13 @@ def run_class_check(
         console,
         f"{good} of {len(found)} are as they should be; {plan.out / SUMMARY}, {plan.out / MISTAKES}",
     )
+    if plan.roster is not None:
+        missing = plan.roster.missing(found)
+        if missing:
+            print_plain(console, f"not in the roster: {', '.join(missing)}")
+        print_plain(
+            console, f"gradebooks: {plan.out / MOODLE}, {plan.out / CANVAS}"
+        )
     if plan.report is not None:
         print_plain(console, f"report: {plan.report / PAGE_FILE}")
     return 0 if found and good == len(found) else 1

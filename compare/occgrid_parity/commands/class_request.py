@@ -7,6 +7,7 @@ from pathlib import Path
 
 from occgrid_parity.check.levels import FILE, LEVELS, ORIENTATION, RUNS
 from occgrid_parity.commands.check_request import CheckRequest
+from occgrid_parity.course.gradebook import Roster, read_roster
 from occgrid_parity.course.rules import (
     NO_RULES,
     RULES,
@@ -32,6 +33,7 @@ class ClassRequest:
     jobs: int
     wanted: Wanted
     rules_text: str
+    roster: Roster | None = None
 
 
 def class_request(
@@ -40,10 +42,11 @@ def class_request(
     rules_file: Path | None,
     sandbox: Sandbox | None,
     build_timeout: float | None,
+    roster: Path | None = None,
 ) -> ClassRequest:
     """Puts options and rules together; an option goes before the same rule.
 
-    Raises RulesError, OSError or occgrid.scenario.ScenarioError where a file cannot be used, and
+    Raises RulesError, RosterError, OSError or occgrid.scenario.ScenarioError where a file cannot be used, and
     occgrid_parity.processes.wall.NoWall where a wall is required and does not work.
     """
     file = rules_file or folder / RULES
@@ -89,6 +92,7 @@ def class_request(
         request.jobs,
         wanted,
         f"{text}\n{walled}",
+        None if roster is None else read_roster(roster),
     )
 
 

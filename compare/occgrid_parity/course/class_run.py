@@ -19,6 +19,13 @@ from occgrid_parity.course.class_summary import (
     mistakes_csv,
     summary_csv,
 )
+from occgrid_parity.course.gradebook import (
+    CANVAS,
+    MOODLE,
+    Roster,
+    canvas_csv,
+    moodle_csv,
+)
 from occgrid_parity.course.submission_task import (
     Checked,
     Task,
@@ -50,6 +57,7 @@ class ClassPlan:
     wanted: Wanted
     jobs: int = 2
     report: Path | None = None
+    roster: Roster | None = None
 
     def submissions(self) -> list[Path]:
         """The folders of the submissions, by name."""
@@ -177,6 +185,10 @@ class ClassRun:
         with self.lock:
             self.store.write(SUMMARY, summary_csv(found, rules))
             self.store.write(MISTAKES, mistakes_csv(found))
+            if self.plan.roster is not None:
+                roster = self.plan.roster
+                self.store.write(MOODLE, moodle_csv(found, roster, rules))
+                self.store.write(CANVAS, canvas_csv(found, roster, rules))
             if self.plan.report is not None:
                 rows = [(one.name, one.verdict) for one in found]
                 write_class_page(rows, self.plan.report, len(self.places))

@@ -15,6 +15,17 @@ RULES = "class.toml"
 STUDENTS_KEYS = ("name", "run", "build", "timeout", "needs", "build_timeout")
 """What a port.toml of a class may say."""
 
+WORDS = {
+    "float": "a number",
+    "int": "a whole number",
+    "str": "a text",
+    "bool": "true or false",
+    "array": "a list",
+    "object": "a table",
+    "null": "nothing",
+}
+"""What msgspec calls the kinds of values, and what a reader of the file calls them."""
+
 Positive = Annotated[float, msgspec.Meta(gt=0)]
 Count = Annotated[int, msgspec.Meta(ge=1)]
 Seed = Annotated[int, msgspec.Meta(ge=0, le=2**32 - 1)]
@@ -81,13 +92,18 @@ class CheckRules(Part, frozen=True):
 
 
 class Rules(Part, frozen=True):
-    """A whole class.toml. ``points`` are those of a level, by its name; without the table each gives one."""
+    """A whole class.toml.
 
+    ``assignment`` is its name in a gradebook. ``points`` are those of a level, by its name; without the table each
+    gives one.
+    """
+
+    assignment: str = "Occupancy grid mapping"
     sandbox: Sandbox | None = None
     program: ProgramRules = ProgramRules()
     limits: LimitRules = LimitRules()
     check: CheckRules = CheckRules()
-    points: dict[str, Annotated[float, msgspec.Meta(ge=0)]] = {}
+    points: dict[str, float] = {}
 
     def points_of(self, level: str) -> float:
         """What a level is worth."""
@@ -109,6 +125,9 @@ def read_rules(path: Path) -> Rules:
         rules = msgspec.convert(table, Rules)
     except msgspec.ValidationError as error:
         raise RulesError(f"{path}: {_plain(str(error))}") from error
+    for level, points in rules.points.items():
+        if not points >= 0:
+            raise RulesError(f"{path}: points.{level}: expected a number >= 0")
     unknown = sorted(set(rules.program.allow or ()) - set(STUDENTS_KEYS))
     if unknown:
         raise RulesError(
@@ -150,4 +169,6 @@ def _plain(said: str) -> str:
     if unknown:
         key = f"{key}." if key else ""
         return f"unknown key {key}{unknown[1]}"
+    for word, plain in WORDS.items():
+        what = re.sub(rf"`{word}( \| null)?`", plain, what)
     return f"{key}: {what[0].lower()}{what[1:]}"
