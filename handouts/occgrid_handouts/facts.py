@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,6 +21,9 @@ from occgrid_handouts.snippets import read_snippets, require
 from occgrid_handouts.story import tell_story
 from occgrid_parity.ports.contributing import snippet_names
 
+# mathematics is read more slowly than a novel
+WORDS_A_MINUTE = 100
+APPENDIX = ("11-exact-and-fast", "12-side-by-side")
 HANDOUTS = Path(__file__).resolve().parents[1]
 
 # how each port is run, as the text shows it
@@ -68,6 +72,16 @@ def snippet_facts(
     return facts
 
 
+def reading_minutes(text: Path) -> int:
+    """How long the text takes to read, without code and appendix, in steps of ten minutes."""
+    words = sum(
+        len(re.findall(r"[A-Za-z]{2,}", chapter.read_text(encoding="utf-8")))
+        for chapter in text.glob("[01]*.typ")
+        if chapter.stem not in APPENDIX
+    )
+    return 10 * math.ceil(words / WORDS_A_MINUTE / 10)
+
+
 def gather(
     root: Path,
     work: Path,
@@ -91,6 +105,7 @@ def gather(
     problems = problem_facts() | {"both": f"{both:+.4f}"}
     ports = run_ports(root, languages)
     return {
+        "reading": {"minutes": reading_minutes(HANDOUTS / "text")},
         "version": edition.version,
         "commit": edition.commit,
         "command": COMMAND,

@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from occgrid.grid import sigmoid
+from occgrid.grid import logit, sigmoid
 from occgrid.lesson import lesson_poses, lesson_settings, lesson_world
 from occgrid_handouts.lesson_run import LessonRun
 from occgrid_handouts.one_beam import OneBeam
@@ -51,6 +51,12 @@ def draw_figures(
         with _figure(folder / f"map-{scans}.svg", 3.2, 2.9) as axes:
             _map(axes, sigmoid(log_odds))
             _trail(axes, scans)
+    with _figure(folder / "model.svg", 5.2, 2.4) as axes:
+        _model(axes)
+    with _figure(folder / "sigmoid.svg", 5.2, 2.6) as axes:
+        _sigmoid(axes)
+    with _figure(folder / "room.svg", 5.2, 3.8) as axes:
+        _room(axes)
     with _figure(folder / "one-beam.svg", 5.2, 3.4) as axes:
         _one_beam(axes, beam)
     with _figure(folder / "clamp.svg", 5.2, 3.0) as axes:
@@ -107,6 +113,106 @@ def _trail(axes: Axes, scans: int) -> None:
     axes.set_ylim(bottom, top)
 
 
+def _model(axes: Axes) -> None:
+    """The piecewise inverse model: P(occupied) of a cell over its distance along the beam."""
+    settings = lesson_settings()
+    z, alpha, far = 6.0, 1.0, 9.0
+    levels = (
+        (0.0, z - alpha / 2.0, settings.p_free, BLUE),
+        (z - alpha / 2.0, z + alpha / 2.0, settings.p_occ, OCCUPIED),
+        (z + alpha / 2.0, far, settings.p0, GREY),
+    )
+    for begin, end, p, color in levels:
+        axes.plot([begin, end], [p, p], color=color, lw=2.4)
+    for x, low, high in (
+        (z - alpha / 2.0, settings.p_free, settings.p_occ),
+        (z + alpha / 2.0, settings.p0, settings.p_occ),
+    ):
+        axes.plot([x, x], [low, high], color=INK, lw=0.8, ls=":")
+    axes.plot([z, z], [0.0, settings.p_occ], color=INK, lw=0.8, ls="--")
+    axes.annotate(
+        "",
+        (z - alpha / 2.0, 0.88),
+        (z + alpha / 2.0, 0.88),
+        arrowprops={"arrowstyle": "<->", "color": INK, "lw": 0.8},
+    )
+    axes.text(z, 0.90, r"$\alpha$", ha="center", va="bottom")
+    axes.set_xlim(0.0, far)
+    axes.set_ylim(0.0, 1.05)
+    axes.set_xticks([0.0, z], ["0", r"$z$"])
+    axes.set_yticks(
+        [0.0, settings.p_free, settings.p0, settings.p_occ, 1.0],
+        ["0", r"$p_{free}$", r"$p_0$", r"$p_{occ}$", "1"],
+    )
+    axes.set_xlabel(r"distance $d$ along the beam")
+    axes.set_ylabel("P(occupied)")
+
+
+def _sigmoid(axes: Axes) -> None:
+    """The way back from log-odds to probability, with the lesson's two answers of the sensor on it."""
+    settings = lesson_settings()
+    x = np.linspace(-5.0, 5.0, 401)
+    axes.axhline(0.5, color=GREY, lw=0.6, ls=":")
+    axes.axvline(0.0, color=GREY, lw=0.6, ls=":")
+    axes.plot(x, sigmoid(x), color=INK, lw=1.6)
+    for p, name, color in (
+        (settings.p_free, "p_{free}", BLUE),
+        (settings.p_occ, "p_{occ}", OCCUPIED),
+    ):
+        at = logit(p)
+        axes.plot([at, at], [0.0, p], color=color, lw=1.0, ls="--")
+        axes.plot([-5.0, at], [p, p], color=color, lw=1.0, ls="--")
+        axes.plot([at], [p], "o", color=color, markersize=6)
+        axes.text(
+            at + 0.2,
+            p - 0.02,
+            f"${name}$ = {p:g}: {at:+.2f}",
+            ha="left",
+            va="top",
+            color=color,
+        )
+    axes.set_xlim(-5.0, 5.0)
+    axes.set_ylim(0.0, 1.0)
+    axes.set_xlabel("log-odds")
+    axes.set_ylabel("probability")
+
+
+def _room(axes: Axes) -> None:
+    """The lesson's walls, the poses on the ellipse, and the edge of the grid."""
+    left, right, bottom, top = _extent()
+    axes.add_patch(
+        Rectangle(
+            (left, bottom),
+            right - left,
+            top - bottom,
+            facecolor="white",
+            edgecolor=GREY,
+            lw=0.8,
+            ls="--",
+        )
+    )
+    axes.set_facecolor(OUTSIDE)
+    for wall in lesson_world():
+        axes.plot([wall.x0, wall.x1], [wall.y0, wall.y1], color=INK, lw=2.0)
+    x, y, theta = map(np.array, zip(*lesson_poses(), strict=True))
+    axes.plot(x, y, ".", color=ORANGE, markersize=3.0)
+    every = slice(None, None, 15)
+    axes.quiver(
+        x[every],
+        y[every],
+        np.cos(theta[every]),
+        np.sin(theta[every]),
+        color=ORANGE,
+        width=0.005,
+        scale=18.0,
+    )
+    axes.set_xlim(-12.8, right + 0.6)
+    axes.set_ylim(bottom - 0.6, top + 0.6)
+    axes.set_aspect("equal")
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+
+
 def _one_beam(axes: Axes, beam: OneBeam) -> None:
     """The beam over the grid, its cells coloured and numbered."""
     spec = beam.grid.spec
@@ -115,25 +221,24 @@ def _one_beam(axes: Axes, beam: OneBeam) -> None:
         axes.add_patch(
             Rectangle((gx, gy), 1, 1, color=OCCUPIED if last else FREE, lw=0)
         )
-        axes.text(
-            gx + 0.06,
-            gy + 0.90,
-            f"k = {k}",
-            ha="left",
-            va="top",
-            fontsize=9,
-            color="white" if last else INK,
-        )
         value = beam.grid.log_odds[gy, gx]
-        axes.text(
-            gx + 0.95,
-            gy + 0.07,
-            f"{value:+.2f}",
-            ha="right",
-            va="bottom",
-            fontsize=9,
-            color="white" if last else BLUE,
+        # a beam that passes through the upper part of a cell leaves only the lower one for labels
+        slope = (beam.ey - beam.y) / (beam.ex - beam.x)
+        height = beam.y + (gx + 0.5 - beam.x) * slope - gy
+        labels = (
+            (0.06, 0.34 if height > 0.75 else 0.74, f"k = {k}", "left", INK),
+            (0.95, 0.07, f"{value:+.2f}", "right", BLUE),
         )
+        for x, y, text, side, color in labels:
+            axes.text(
+                gx + x,
+                gy + y,
+                text,
+                ha=side,
+                va="bottom",
+                fontsize=9,
+                color="white" if last else color,
+            )
     axes.plot([beam.x, beam.ex], [beam.y, beam.ey], color=INK, lw=1.4)
     axes.plot([beam.x], [beam.y], "o", color=INK, markersize=6)
     axes.plot([beam.ex], [beam.ey], "s", color=INK, markersize=5)
