@@ -44,7 +44,7 @@ def scenario_files(root: Path) -> list[ScenarioFile]:
 
 
 def choose_scenarios(root: Path, words: Sequence[str]) -> list[ScenarioFile]:
-    """The scenarios that the words name: files, names in scenarios/, ``built-in``.
+    """The scenarios that the words name: files, names in scenarios/ with or without .log, ``built-in``.
 
     Without words: the built-in lesson and all of scenarios/. Raises ValueError for a
     word that names none, and where two files make maps of the same name.
@@ -56,8 +56,8 @@ def choose_scenarios(root: Path, words: Sequence[str]) -> list[ScenarioFile]:
     for word in words:
         if word in (BUILT_IN_NAME, BUILT_IN_WORD):
             scenario = BUILT_IN
-        elif word in known:
-            scenario = known[word]
+        elif word.removesuffix(".log") in known and not Path(word).is_file():
+            scenario = known[word.removesuffix(".log")]
         elif Path(word).is_file():
             scenario = scenario_from(Path(word))
         else:
