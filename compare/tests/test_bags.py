@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
+import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +19,7 @@ from occgrid.scenario import Scenario, read_scenario
 from occgrid.sensor import Scan
 from occgrid.world import Pose, build_box_world, simulate_lidar_scan
 from occgrid_parity.commands.app import app
+from occgrid_parity.logs.transforms import FrameTree, Transform, When
 
 from .bags import KINDS, SECOND, START, Messages, Stamped, euler, write_bag
 
@@ -402,3 +404,41 @@ def test_says_what_a_bag_lacks(tmp_path: Path) -> None:
     assert status == 1
     assert text.count("\n") == 1
     assert not list(tmp_path.glob(".*"))
+
+
+def test_without_the_library(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    log = write_bag(tmp_path / "drive", "bag", lambda m: drive(m, Mount()))
+    monkeypatch.setitem(sys.modules, "rosbags.highlevel", None)
+    assert convert(log) == (
+        1,
+        f"{log}: a ROS bag is read by the package rosbags: pip install 'occgrid-parity[ros]'\n",
+    )
+
+
+def test_options_of_the_other_kind_of_log(tmp_path: Path) -> None:
+    log = write_bag(tmp_path / "drive", "bag", lambda m: drive(m, Mount()))
+    status, text = convert(log, "--all-lines")
+    assert (status, text) == (
+        1, f"{log}: a bag has no lines for --all-lines\n",
+    )  # fmt: skip
+    text_log = tmp_path / "some.log"
+    text_log.write_text("FLASER 1 1 0 0 0 0 0 0 0 h 0\n")
+    status, text = convert(text_log, "--topic", "/scan")
+    assert status == 1
+    assert "--topic and --frame are for ROS bags" in text
+
+
+def test_memory_does_not_grow_with_the_bag() -> None:
+    """Transforms that no scan needs any more are forgotten, those around a scan that waits are not."""
+    tree = FrameTree()
+    place = Transform((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+    held = 0
+    for time in range(10_000):
+        tree.add("map", "laser", time, place)
+        tree.forget_before(time - 100)
+        held = max(held, len(tree.edges["map", "laser"].times))
+    assert held < 200
+    assert tree.when([("map", "laser")], 9_900) is When.WITHIN
+    assert tree.when([("map", "laser")], 5_000) is When.BEFORE
