@@ -111,7 +111,7 @@ def run_limited(
         message = f"the run could not be watched to its end ({said})"
         return Ended("lost", message, finished.seconds, stdout, stderr)
     told = json.loads(report.read_text())
-    word, message = _what_went_wrong(told, command, limits, stdout, stderr)
+    word, message = what_went_wrong(told, command, limits, stdout, stderr)
     return Ended(
         word,
         message,
@@ -124,7 +124,7 @@ def run_limited(
     )
 
 
-def _what_went_wrong(
+def what_went_wrong(
     told: dict[str, object],
     command: Sequence[str],
     limits: Limits,
