@@ -2,8 +2,8 @@
 
 No wrong program passes, no right one loses a point, and no cause is named that is not the mistake.
 
-They are started without the supervisor, which has its own tests, and without the scenarios of the whole lesson but for those
-that know nothing else, so that one program takes a second or two.
+They are started without the supervisor, which has its own tests, and without the scenarios of the whole lesson but for
+those that know nothing else, so that one program takes a second or two.
 """
 
 from __future__ import annotations
@@ -41,7 +41,10 @@ class Expected(NamedTuple):
     said: str = ""
 
 
-EVERY = "one-beam octants no-return clamping prior outside simulated recorded mixed powers formats noise mixed-noise"
+EVERY = (
+    "one-beam octants no-return clamping prior outside simulated recorded mixed powers "
+    "formats noise mixed-noise"
+)
 QUIET = EVERY.removesuffix(" noise mixed-noise")
 
 # the C mapper: it reads scenarios and draws the contract's noise
