@@ -19,6 +19,7 @@ from occgrid_parity.explain.findings import Cause, FirstDifference
 from occgrid_parity.explain.mistaken_maps import Evidence
 from occgrid_parity.explain.scan_choice import chosen_scans
 from occgrid_parity.explain.seen import observations
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.runner import Runner
 
 
@@ -115,12 +116,13 @@ def _scans_seen(maps: ProgramMaps) -> list[str]:
         for one in maps.compared.values()
         if one.compared.status == "differs"
     ]
+    looked = [one for one in wrong if len(world_of(one.case).scans) > 2]
     said = [
-        text
-        for one in wrong[:3] + wrong[-1:]
-        if (text := chosen_scans(one.observed, one.case, one.mode))
+        chosen_scans(one.observed, one.case, one.mode)
+        for one in looked[:3] + looked[-1:]
     ]
-    return list(dict.fromkeys(said))[:1]
+    # one map alone can be that of fewer scans by chance
+    return said[:1] if all(said) else []
 
 
 def _after_success(checks: LevelChecks, options: Options) -> Conclusion:

@@ -149,7 +149,7 @@ class MistakenMaps:
     def _shows(self, mistake: type[Mapper], one: Evidence) -> bool:
         """Whether a map is wrong in one of the cells that the mistake changes in a few of the scans.
 
-        A map that is right in all of them was not drawn with this mistake. Saying so too often can only keep a cause from
+        A map that is right in all of them has not this mistake. Saying so too often can only keep a cause from
         being named.
         """
         few = self._few_scans(one)

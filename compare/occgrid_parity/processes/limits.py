@@ -130,7 +130,7 @@ def run_limited(
     told = json.loads(report.read_text())
     if wall.works:
         _behind_the_wall(told, folder / "left")
-    word, message = _what_went_wrong(
+    word, message = what_went_wrong(
         told, command, limits, stdout, stderr, wall
     )
     return Ended(
@@ -155,7 +155,7 @@ def _behind_the_wall(told: dict[str, Any], left: Path) -> None:
         told["left"] = 0  # the shell was ended before it could count
 
 
-def _what_went_wrong(
+def what_went_wrong(
     told: dict[str, Any],
     command: Sequence[str],
     limits: Limits,
