@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import threading
 from typing import Any
 
@@ -28,13 +29,13 @@ class Cluster:
 
     def __init__(self, address: str) -> None:
         try:
-            from distributed import Client
+            distributed: Any = importlib.import_module("distributed")
         except ImportError as error:
             raise NoCluster(
                 "--scheduler needs the package distributed: pip install 'occgrid-parity[cluster]'"
             ) from error
         try:
-            self.client: Any = Client(
+            self.client: Any = distributed.Client(
                 address, timeout=CONNECT, set_as_default=False
             )
         except (OSError, ValueError, TimeoutError) as error:
@@ -50,7 +51,8 @@ class Cluster:
     @property
     def jobs(self) -> int:
         """How many tasks the cluster does at a time, now."""
-        return max(1, sum(self.client.nthreads().values()))
+        threads: dict[str, int] = self.client.nthreads()
+        return max(1, sum(threads.values()))
 
     def run(self, task: Task, stop: threading.Event) -> Checked:
         """Does a task on some machine, on another one where that dies or lacks what the submission needs.

@@ -17,7 +17,7 @@ import pytest
 
 from ..check_helpers import PROGRAMS
 
-pytest.importorskip("distributed")
+distributed: Any = pytest.importorskip("distributed")
 
 PYTHON = [sys.executable, "-m"]
 
@@ -45,9 +45,7 @@ def cluster(tmp_path: Path) -> Iterator[tuple[str, list[Any]]]:
                 "--no-dashboard", "--local-directory", str(place),
             ]  # fmt: skip
             started.append(subprocess.Popen(command, cwd=place, **quiet))  # type: ignore[call-overload]
-        from distributed import Client
-
-        with Client(address, set_as_default=False) as client:
+        with distributed.Client(address, set_as_default=False) as client:
             client.wait_for_workers(2, timeout=90)
         yield address, started[1:]
     finally:
@@ -74,7 +72,7 @@ def results(folder: Path, out: str) -> tuple[list[dict[str, str]], list[str]]:
         rows = [row | {"seconds": ""} for row in csv.DictReader(file)]
     texts = [
         re.sub(r'"seconds": [0-9.]+', "", path.read_text()).replace(
-            f"/{out}/", "/OUT/"
+            f"{out}/submissions/", "OUT/"
         )
         for path in sorted(folder.glob(f"{out}/submissions/*/verdict.json"))
     ]
