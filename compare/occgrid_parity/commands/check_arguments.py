@@ -186,3 +186,13 @@ RosterFile = Annotated[
         help="With --class: a CSV file with a column submission; writes moodle.csv and canvas.csv.",
     ),
 ]
+
+
+Scheduler = Annotated[
+    str | None,
+    typer.Option(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="With --class: a Dask cluster that does the work, such as tcp://host:8786.",
+    ),
+]

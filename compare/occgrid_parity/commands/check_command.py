@@ -28,6 +28,7 @@ from occgrid_parity.commands.check_arguments import (
     Run,
     SandboxChoice,
     Scenarios,
+    Scheduler,
     Timeout,
 )
 from occgrid_parity.commands.check_request import (
@@ -41,6 +42,7 @@ from occgrid_parity.commands.class_check_run import run_class_check
 from occgrid_parity.commands.class_request import class_request
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.program_check_run import run_program_check
+from occgrid_parity.course.cluster import NoCluster
 from occgrid_parity.model.reference import golden_problem
 from occgrid_parity.processes.limits import MEBI, Limits
 from occgrid_parity.processes.wall import NoWall
@@ -70,6 +72,7 @@ def check_command(
     sandbox: SandboxChoice = None,
     build_timeout: BuildTimeout = None,
     roster: RosterFile = None,
+    scheduler: Scheduler = None,
 ) -> None:
     """Check any program against the suite, and explain where it goes wrong.
 
@@ -108,9 +111,10 @@ def check_command(
                 None if sandbox is None else sandbox.value,
                 build_timeout,
                 roster,
+                scheduler,
             )
         )
-    except (OSError, ValueError, ScenarioError, NoWall) as error:
+    except (OSError, ValueError, ScenarioError, NoWall, NoCluster) as error:
         print_plain(Console(stderr=True), str(error))
         raise typer.Exit(2) from error
     if problem is not None:

@@ -44,7 +44,12 @@ def run_class_check(
     run = ClassRun(plan, progress)
     try:
         with progress, interruptible():
-            found = run.check()
+            if request.cluster is None:
+                found = run.check()
+            else:
+                cluster = request.cluster
+                print_plain(console, f"dashboard: {cluster.dashboard}")
+                found = run.check(cluster.run, cluster.jobs)
     except Interrupted as interrupted:
         print_plain(
             console,

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from occgrid_parity.check.levels import FILE, LEVELS, ORIENTATION, RUNS
 from occgrid_parity.commands.check_request import CheckRequest
+from occgrid_parity.course.cluster import Cluster
 from occgrid_parity.course.gradebook import Roster, read_roster
 from occgrid_parity.course.rules import (
     NO_RULES,
@@ -34,6 +35,7 @@ class ClassRequest:
     wanted: Wanted
     rules_text: str
     roster: Roster | None = None
+    cluster: Cluster | None = None
 
 
 def class_request(
@@ -43,11 +45,13 @@ def class_request(
     sandbox: Sandbox | None,
     build_timeout: float | None,
     roster: Path | None = None,
+    scheduler: str | None = None,
 ) -> ClassRequest:
     """Puts options and rules together; an option goes before the same rule.
 
-    Raises RulesError, RosterError, OSError or occgrid.scenario.ScenarioError where a file cannot be used, and
-    occgrid_parity.processes.wall.NoWall where a wall is required and does not work.
+    Raises RulesError, RosterError, OSError or occgrid.scenario.ScenarioError where a file cannot be used,
+    occgrid_parity.processes.wall.NoWall where a wall is required and does not work, and
+    occgrid_parity.course.cluster.NoCluster where there is none.
     """
     file = rules_file or folder / RULES
     is_there = rules_file is not None or file.exists()
@@ -93,6 +97,7 @@ def class_request(
         wanted,
         f"{text}\n{walled}",
         None if roster is None else read_roster(roster),
+        None if scheduler is None else Cluster(scheduler),
     )
 
 

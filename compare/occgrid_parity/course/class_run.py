@@ -11,7 +11,7 @@ from pathlib import Path
 
 from occgrid_parity.course.archive import NOTHING, ArchiveError, pack
 from occgrid_parity.course.class_page import write_class_page
-from occgrid_parity.course.class_store import SUITE, ClassStore, suite_version
+from occgrid_parity.course.class_store import ClassStore, suite_version
 from occgrid_parity.course.class_summary import (
     MISTAKES,
     SUMMARY,
@@ -81,7 +81,6 @@ class ClassRun:
         self.progress = progress
         self.places = plan.submissions()
         hidden = (
-            *SUITE,
             plan.folder,
             plan.out,
             *([plan.report] if plan.report else []),
@@ -108,11 +107,13 @@ class ClassRun:
         plain = replace(wanted, cases=(), own=(), hidden=(), out_of_sight=())
         return cases, plain, find_wall(wanted.sandbox).works
 
-    def check(self, work: Work | None = None) -> list[Submission]:
+    def check(
+        self, work: Work | None = None, jobs: int | None = None
+    ) -> list[Submission]:
         """Checks every submission that has changed since the last run.
 
-        ``work`` does a task; by default in a process of this machine. Whatever ends this, what has been found is
-        written.
+        ``work`` does a task, and ``jobs`` of them at a time; by default in processes of this machine. Whatever ends
+        this, what has been found is written.
         """
         self.progress.total(len(self.places))
         slots = WorkerSlots(self.plan.jobs)
@@ -124,7 +125,7 @@ class ClassRun:
             self._one(place, stop, work or here)
 
         try:
-            side_by_side(one, self.places, self.plan.jobs)
+            side_by_side(one, self.places, jobs or self.plan.jobs)
         finally:
             slots.close()
             self.write()

@@ -7,18 +7,14 @@ import json
 import shutil
 from pathlib import Path
 
-from occgrid import __file__ as port_file
 from occgrid import __version__
 from occgrid_parity.check.verdict import Verdict, from_json
-from occgrid_parity.course.submission_task import Checked
+from occgrid_parity.course.submission_task import SUITE, Checked
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.report.run_page import PAGE_FILE
 
 SUBMISSIONS = "submissions"
 """The folder that the submissions' names are in. Nothing else is, and nothing of theirs is beside it."""
-
-SUITE = (Path(port_file).parent, Path(__file__).resolve().parents[1])
-"""The folders of the reference and of the harness."""
 
 RECORD = "record.json"
 SCHEMA = 1

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from occgrid import __file__ as port_file
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import FILE, LEVELS, ORIENTATION, RUNS
 from occgrid_parity.check.program_check import broken
@@ -23,7 +24,10 @@ from occgrid_parity.check.whole_check import check
 from occgrid_parity.course.archive import Archive, unpack
 from occgrid_parity.course.points import results_json, score
 from occgrid_parity.course.rules import Rules
-from occgrid_parity.course.submitted_program import submitted_program
+from occgrid_parity.course.submitted_program import (
+    ToolMissing,
+    submitted_program,
+)
 from occgrid_parity.course.verdict_merging import (
     FIRST,
     for_student,
@@ -43,13 +47,17 @@ from occgrid_parity.suite.cases import LESSON, TWIN, Case
 from occgrid_parity.suite.cases import case as case_of_suite
 from occgrid_parity.suite.modes import Mode
 
+SUITE = (Path(port_file).parent, Path(__file__).resolve().parents[1])
+"""The folders of the reference and of the harness."""
+
 SAVED = "saved"
 SUBMISSION = "submission"
 TEMPORARY = "/tmp/occgrid-parity-check"
 HIDDEN = "hidden scenario"
 SEEDED = ("seeds", "noise of the instructor's seeds")
 NOISY = ("asymmetric", TWIN, LESSON)
-NOT_ITS_FAULT = ("harness error", "lost", "skipped")
+SKIPPED = "skipped"
+NOT_ITS_FAULT = ("harness error", "lost", SKIPPED)
 """Words that say nothing about a submission: it is checked again the next time."""
 
 
@@ -98,10 +106,15 @@ class Checked:
     page: bytes | None = field(default=None, repr=False)
 
     @property
+    def word(self) -> str:
+        """The word of the level that failed; empty without one."""
+        level = self.verdict.failed_level
+        return level.word if level else ""
+
+    @property
     def is_final(self) -> bool:
         """Whether the verdict is about the submission, and not about the machine that checked it."""
-        level = self.verdict.failed_level
-        return level is None or level.word not in NOT_ITS_FAULT
+        return self.word not in NOT_ITS_FAULT
 
 
 def check_task(task: Task) -> Checked:
@@ -154,6 +167,8 @@ def _verdict(
         program, ignored = submitted_program(
             place, wanted.rules.program, wanted.timeout
         )
+    except ToolMissing as missing:
+        return without_run(task.name, SKIPPED, str(missing))
     except PortError as error:
         said = str(error).replace(f"{place}/", "")
         return without_run(task.name, "bad port.toml", said)
@@ -176,7 +191,7 @@ def _verdict(
 
 
 def _wall(wanted: Wanted) -> Wall:
-    wall = find_wall(wanted.sandbox, wanted.out_of_sight)
+    wall = find_wall(wanted.sandbox, [*SUITE, *wanted.out_of_sight])
     given = wanted.rules.program
     return replace(
         wall,

@@ -9,7 +9,11 @@ from pathlib import Path
 
 from occgrid_parity.course.rules import ProgramRules
 from occgrid_parity.ports.declaration import DECLARATION
-from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.ports.declaration_reader import (
+    DeclarationReader,
+    Need,
+    PortError,
+)
 from occgrid_parity.programs.program import (
     DEFAULT_TIMEOUT,
     Program,
@@ -20,15 +24,23 @@ DECIDED = ("build_timeout",)
 """Keys of a port.toml that never count in a class."""
 
 
+class ToolMissing(Exception):
+    """This machine has not what the submission needs; the text says what to install."""
+
+
 def submitted_program(
     folder: Path, given: ProgramRules, timeout: float | None
 ) -> tuple[Program, list[str]]:
     """The program in a folder, and a line for each of the student's keys that does not count.
 
-    Without ``timeout`` a student may ask for less time, not for more. Raises PortError where there is no such program.
+    Without ``timeout`` a student may ask for less time, not for more.
+    Raises PortError where there is no such program, and ToolMissing where this machine cannot run it.
     """
     file = folder / DECLARATION
     notes: list[str] = []
+    missing = [need.install for need in _needs(file) if need.is_missing()]
+    if missing:
+        raise ToolMissing(f"install {', '.join(missing)}")
     if given.run is None:
         program = program_from_port(file, timeout)
         keys = _keys(file)
@@ -73,9 +85,19 @@ def submitted_program(
     )
 
 
+def _needs(file: Path) -> tuple[Need, ...]:
+    if not file.is_file():
+        return ()
+    return DeclarationReader(file, _table(file)).needs()
+
+
 def _keys(file: Path) -> list[str]:
+    return list(_table(file))
+
+
+def _table(file: Path) -> dict[str, object]:
     try:
-        return list(tomllib.loads(file.read_text(encoding="utf-8")))
+        return tomllib.loads(file.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise PortError(f"{file}: {error}") from error
 

@@ -200,7 +200,7 @@ def test_signals_and_names_are_told_as_without_a_wall(tmp_path: Path) -> None:
     (absent / "port.toml").write_text('run = ["nowhere", "{scenario}"]\n')
     submit(tmp_path, "forks", "while :; do sleep 1000 & done")
     for sandbox in ("require", "none"):
-        found = check(tmp_path, sandbox)  # type: ignore[arg-type]
+        found = check(tmp_path, sandbox)
         words = {
             name: verdict.failed_level.word
             for name, verdict in found.items()
