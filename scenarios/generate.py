@@ -552,18 +552,31 @@ def fine_grid() -> str:
 
 
 def beside() -> str:
-    """Scans that touch no cell, before and after one that does."""
+    """Nothing happens to the grid, in no scan."""
     return _text(
-        "A grid of one cell: beams that pass beside it, one that crosses it, "
-        "one that ends in it.",
+        "A grid of one cell that no beam touches: beams that pass beside it "
+        "and ranges that are ignored.",
         _grid(1, 1, 1.0, 0.0, 0.0, 5.0),
         [
             _beam_to(Pose(2.5, 2.5, 0.0), 1.0, 1.0),
             _robotlaser1(Pose(0.5, 0.5, 0.0), 0.0, 0.1, ["nan"] * 3),
-            _beam_to(Pose(-1.5, 0.4, 0.0), 4.0, 0.1),
-            _beam_to(Pose(-1.5, 0.4, 0.0), 2.0, 0.1),
-            _beam_to(Pose(0.4, 2.5, 0.0), 0.9, -4.0),
-            _beam_to(Pose(0.4, 0.5, 0.0), 0.1, 0.1),
+            _beam_to(Pose(-1.5, 1.4, 0.0), 4.0, 0.1),
+        ],
+    )
+
+
+def two_cells() -> str:
+    """Hits in the second cell of a grid, the first left alone or passed."""
+    return _text(
+        "A grid of two cells: a beam that ends in the second, one beside "
+        "them, and two that cross both.",
+        _grid(2, 1, 1.0, 0.0, 0.0, 5.0),
+        [
+            _beam_to(Pose(1.4, 0.5, 0.0), 0.1, 0.1),
+            _beam_to(Pose(2.5, 2.5, 0.0), 1.0, 1.0),
+            _beam_to(Pose(-1.5, 0.4, 0.0), 5.0, 0.1),
+            _beam_to(Pose(3.4, 0.5, 0.0), -2.0, 0.1),
+            _beam_to(Pose(1.4, 2.5, 0.0), 0.1, -4.0),
         ],
     )
 
@@ -671,6 +684,7 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "high-limits": high_limits,
     "fine-grid": fine_grid,
     "beside": beside,
+    "two-cells": two_cells,
     "many-beams": many_beams,
     "large-angles": large_angles,
     "corners": corners,

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import argparse
 import random
+import shutil
+import tempfile
 import time
+from functools import partial
 from pathlib import Path
 
 from occgrid_mutants.campaign import Campaign, Result
@@ -43,7 +46,14 @@ def main() -> None:
         help="folder for report.md and results.json (default: build/mutants)",
     )
     options = parser.parse_args()
-    campaign = Campaign(ROOT, lambda text: print(text, flush=True))
+    # a run takes long, and the files may be edited meanwhile
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("python", "scenarios"):
+            shutil.copytree(ROOT / name, Path(folder) / name)
+        _run(options, Campaign(Path(folder), partial(print, flush=True)))
+
+
+def _run(options: argparse.Namespace, campaign: Campaign) -> None:
     chosen = [s for s in campaign.sites if options.only in s.name]
     of = len(chosen)
     if options.minutes is not None or options.count is not None:
@@ -58,7 +68,9 @@ def main() -> None:
             print(
                 f"{len(results)}: nothing sees {result.site.name}", flush=True
             )
-        if len(results) % 50 == 0:
+        if (
+            len(results) % 10 == 0
+        ):  # what is found so far stays, however the run ends
             write(options.out, results, of, time.monotonic() - start)
 
     until = None if options.minutes is None else start + 60 * options.minutes

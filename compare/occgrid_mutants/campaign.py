@@ -26,6 +26,8 @@ from occgrid_mutants.watching import (
 
 # A child that has not answered after so long is ended: what holds it does not let the time limit in.
 LONGEST = 900.0
+# How the names of unit trials begin.
+UNITS = ("vectors", "bad input", "lesson numbers")
 
 
 @dataclass(frozen=True)
@@ -39,10 +41,10 @@ class Result:
 
     @property
     def group(self) -> str:
-        """``scenarios``, ``vectors``, ``bad input`` or ``nothing``."""
+        """``scenarios``, one of UNITS, or ``nothing``."""
         if not self.seen_by:
             return "nothing"
-        for word in ("vectors", "bad input"):
+        for word in UNITS:
             if self.seen_by.startswith(word):
                 return word
         return "scenarios"

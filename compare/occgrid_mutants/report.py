@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
-from occgrid_mutants.campaign import Result
+from occgrid_mutants.campaign import UNITS, Result
 
 
 def summary(results: Sequence[Result], of: int, seconds: float) -> list[str]:
@@ -20,8 +20,7 @@ def summary(results: Sequence[Result], of: int, seconds: float) -> list[str]:
     lines = [
         f"{what}, {seconds / 60.0:.0f} minutes",
         f"seen by scenarios: {seen} ({share:.1f} %)",
-        f"seen by the shared vectors only: {groups['vectors']}",
-        f"seen by bad input only: {groups['bad input']}",
+        *(f"seen by {unit} only: {groups[unit]}" for unit in UNITS),
         f"seen by nothing: {groups['nothing']}, {sum(not r.reached and not r.seen_by for r in results)} of them on "
         "lines that no scenario runs",
     ]
@@ -43,7 +42,7 @@ def write(
     )
     lines = ["# Changes of the Python port", ""]
     lines += [f"- {line}" for line in summary(results, of, seconds)]
-    for group in ("nothing", "vectors", "bad input"):
+    for group in ("nothing", *UNITS):
         lines += ["", f"## Seen by {group}", ""]
         for result in ordered:
             if result.group == group:

@@ -76,7 +76,7 @@ def unit_trials(root: Path) -> list[Trial]:
         trials.append(
             _bad(root / "scenarios/bad" / name, int(number), reason[1:])
         )
-    return trials
+    return [*trials, _built_in_is_its_file(root / "scenarios/lesson.log")]
 
 
 def _read_golden(root: Path, name: str, mode: str) -> _Golden:
@@ -144,6 +144,21 @@ def _built_in(golden: _Golden) -> Trial:
             )
 
     return Trial("lesson (built in), noise-free", right)
+
+
+def _built_in_is_its_file(file: Path) -> Trial:
+    def right(modules: Modules) -> bool:
+        built_in = modules["lesson"].lesson_scenario()
+        with modules["scenario"].read_scenario(file) as scenario:
+            return (
+                bool(scenario.settings == built_in.settings)
+                and scenario.walls == built_in.walls
+                and list(scenario.scans) == built_in.scans
+            )
+
+    return Trial(
+        "lesson numbers: the built-in ones are those of its file", right
+    )
 
 
 def _vectors(table: Path, probe: CodeType) -> Trial:
