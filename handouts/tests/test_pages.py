@@ -157,7 +157,9 @@ def test_pages_need_nothing_from_outside(handouts: Handouts) -> None:
 
 
 def test_equations_are_mathml_with_a_font(handouts: Handouts) -> None:
-    text = (handouts.folder / "student/python.html").read_text(encoding="utf-8")
+    text = (handouts.folder / "student/python.html").read_text(
+        encoding="utf-8"
+    )
     assert text.count("<math") > 150
     if find_font() is None and not REQUIRE_ALL:
         pytest.skip("the font is missing: install fonts-dejavu-extra")

@@ -56,7 +56,9 @@ def test_footer_on_every_page(handouts: Handouts) -> None:
 def test_every_listing_is_printed_whole(handouts: Handouts) -> None:
     """Each line of code, unbroken: none is cut off at the margin or wrapped."""
     for language in LANGUAGES:
-        text = pdf_text(handouts.folder / f"student/{language.id}.pdf", "-layout")
+        text = pdf_text(
+            handouts.folder / f"student/{language.id}.pdf", "-layout"
+        )
         printed = {" ".join(line.split()) for line in text.splitlines()}
         joined = "\n".join(printed)
         for name, snippet in handouts.snippets[language.id].items():
