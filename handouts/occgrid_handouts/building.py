@@ -119,6 +119,7 @@ def build(
     files |= {
         f"{which}/{n}": c for which in EDITIONS for n, c in pages.items()
     }
+    files |= pages  # where the build of the folder web puts them, too
     files |= _zip_files(
         root, languages, edition, student | extras, pages, stages
     )

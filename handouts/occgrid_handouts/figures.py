@@ -170,6 +170,7 @@ def _sigmoid(axes: Axes) -> None:
             ha="left",
             va="top",
             color=color,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
         )
     axes.set_xlim(-5.0, 5.0)
     axes.set_ylim(0.0, 1.0)

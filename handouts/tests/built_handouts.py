@@ -15,6 +15,7 @@ from occgrid_handouts.page_tree import Element, read_page
 from occgrid_handouts.platform_math import search_path
 from occgrid_handouts.project import ROOT, Edition, current_edition
 from occgrid_handouts.snippets import read_snippets
+from occgrid_handouts.web_pages import NAMES as WEB_PAGES
 from occgrid_parity.ports.snippets import Snippet
 
 REQUIRE_ALL = os.environ.get("PARITY_REQUIRE_ALL") == "1"
@@ -27,6 +28,7 @@ class Handouts:
     folder: Path
     edition: Edition
     snippets: dict[str, dict[str, Snippet]]
+    missing: bool
     _read: dict[str, Element] = field(default_factory=dict)
 
     def page(self, name: str) -> Element:
@@ -41,6 +43,7 @@ class Handouts:
         return sorted(
             path.relative_to(self.folder).as_posix()
             for path in self.folder.glob("**/*.html")
+            if path.name not in WEB_PAGES
         )
 
     def pdfs(self) -> list[Path]:
@@ -61,8 +64,21 @@ def needs(package: str, *commands: str) -> str:
 
 
 def build_into(folder: Path) -> Handouts:
-    """Builds everything into a folder."""
+    """Builds everything into a folder; OCCGRID_HANDOUTS names one that has been built just before."""
     edition = current_edition()
-    build(ROOT, folder, LANGUAGES, edition, 2, lambda text: None)
+    built = os.environ.get("OCCGRID_HANDOUTS")
+    if built:
+        folder = Path(built)
+    else:
+        build(
+            ROOT,
+            folder,
+            LANGUAGES,
+            edition,
+            2,
+            lambda text: None,
+            partial=not REQUIRE_ALL,
+        )
     snippets = {one.id: read_snippets(ROOT, one) for one in LANGUAGES}
-    return Handouts(folder, edition, snippets)
+    index = (folder / "student" / "index.html").read_text(encoding="utf-8")
+    return Handouts(folder, edition, snippets, "What is missing" in index)

@@ -119,7 +119,7 @@ def test_element_over_the_edge_is_noticed(
     handouts: Handouts, tmp_path: Path
 ) -> None:
     wide = '<p style="width: 50rem">wide</p>' + MEASURE
-    page = with_script(handouts, "index.html", wide)
+    page = with_script(handouts, "student/index.html", wide)
     (said,) = measured(tmp_path, {"index.html": page}, 390)
     assert said["over"] == ["P : wide"]
 
@@ -127,6 +127,6 @@ def test_element_over_the_edge_is_noticed(
 def test_language_of_the_tabs_is_remembered(
     handouts: Handouts, tmp_path: Path
 ) -> None:
-    page = with_script(handouts, "python.html", REMEMBER)
+    page = with_script(handouts, "student/python.html", REMEMBER)
     (tmp_path / "page.html").write_text(page)
     assert title_in_browser(tmp_path, "page.html") == "remembered: cpp"

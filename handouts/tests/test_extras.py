@@ -27,7 +27,7 @@ READ: Any = nbformat.read
 
 
 def test_notebook_was_run_from_top_to_bottom(handouts: Handouts) -> None:
-    path = handouts.folder / "python.ipynb"
+    path = handouts.folder / "student/python.ipynb"
     notebook = READ(path, as_version=4)
     nbformat.validate(notebook)
     code = [c for c in notebook.cells if c.cell_type == "code"]
@@ -41,7 +41,7 @@ def test_notebook_was_run_from_top_to_bottom(handouts: Handouts) -> None:
 
 
 def test_notebook_runs_again(handouts: Handouts) -> None:
-    path = handouts.folder / "python.ipynb"
+    path = handouts.folder / "student/python.ipynb"
     notebook = READ(path, as_version=4)
     run_notebook(notebook, ROOT)
 
@@ -53,14 +53,14 @@ def test_notebook_that_fails_fails_the_build() -> None:
 
 
 def test_notebook_pictures_are_attached(handouts: Handouts) -> None:
-    path = handouts.folder / "python.ipynb"
+    path = handouts.folder / "student/python.ipynb"
     for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
         asked = re.findall(r"\(attachment:([^)]*)\)", "".join(cell["source"]))
         assert sorted(asked) == sorted(cell.get("attachments", {}))
 
 
 def test_script_runs_in_octave(handouts: Handouts) -> None:
-    path = handouts.folder / "matlab_handout.m"
+    path = handouts.folder / "student/matlab_handout.m"
     octave = needs("octave", "octave-cli")
     done = run_script(octave, path)
     assert done.returncode == 0, done.stderr
@@ -87,7 +87,7 @@ def run_script(octave: str, path: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_script_has_sections_and_short_lines(handouts: Handouts) -> None:
-    path = handouts.folder / "matlab_handout.m"
+    path = handouts.folder / "student/matlab_handout.m"
     lines = path.read_text(encoding="utf-8").splitlines()
     assert sum(line.startswith("%% ") for line in lines) > 30
     for line in lines:
@@ -98,7 +98,7 @@ def test_script_has_sections_and_short_lines(handouts: Handouts) -> None:
 
 
 def test_wolfram_notebook_is_one_expression(handouts: Handouts) -> None:
-    path = handouts.folder / "mathematica.nb"
+    path = handouts.folder / "student/mathematica.nb"
     text = path.read_text(encoding="ascii")
     check_expression(text, "Notebook")
     styles = set(re.findall(r'\], "(\w+)"\]', text))
@@ -110,7 +110,7 @@ def test_wolfram_notebook_is_one_expression(handouts: Handouts) -> None:
 def test_wolfram_notebook_is_read_by_an_interpreter(
     handouts: Handouts, tmp_path: Path
 ) -> None:
-    path = handouts.folder / "mathematica.nb"
+    path = handouts.folder / "student/mathematica.nb"
     needs("woxi", wolfram_command()[0])
     script = tmp_path / "read.wls"
     text = path.read_text(encoding="ascii")

@@ -119,7 +119,9 @@ def test_wolfram_notebook_runs_in_an_empty_folder(
     needs("woxi", wolfram_command()[0])
     folder = unpacked(handouts, "mathematica", tmp_path)
     text = (folder / "mathematica.nb").read_text(encoding="ascii")
-    cells = re.findall(r'Cell\[BoxData\["((?:\\.|[^"\\])*)"\], "Input"\]', text)
+    cells = re.findall(
+        r'Cell\[BoxData\["((?:\\.|[^"\\])*)"\], "Input"\]', text
+    )
     assert len(cells) == 6
     code = "\n".join(
         cell.replace("\\n", "\n").replace('\\"', '"').replace("\\\\", "\\")

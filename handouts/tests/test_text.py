@@ -89,7 +89,17 @@ def test_inline_equations_are_found() -> None:
     ("equation", "said"),
     [
         ("m_i = 1", "m sub i equals 1"),
-        ("(x - o_x) / r", "x minus o sub x over r"),
+        ("a / r", "a over r"),
+        (
+            "(x - o_x) / r",
+            "the fraction x minus o sub x over r, end of fraction",
+        ),
+        (
+            "abs(d_i - z) <= alpha",
+            "the absolute value of d sub i minus z, end of absolute value, "
+            "is at most alpha",
+        ),
+        ("phi^((k))", "phi superscript k"),
         ("O_0^t", "O sub 0 to the t"),
         ("z_max", "z sub max"),
     ],

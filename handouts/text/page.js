@@ -69,3 +69,21 @@
     show(known.indexOf(wanted) >= 0 ? wanted : document.body.dataset.language);
   }
 })();
+// What scrolls sideways can be reached, and scrolled, with the keyboard.
+(function () {
+  function mark() {
+    document.querySelectorAll(".formula, .wide").forEach(function (box) {
+      if (box.scrollWidth > box.clientWidth) {
+        box.tabIndex = 0;
+        box.setAttribute("role", "group");
+        box.setAttribute("aria-label", box.classList.contains("wide") ? "Table" : "Equation");
+      } else {
+        box.removeAttribute("tabindex");
+        box.removeAttribute("role");
+        box.removeAttribute("aria-label");
+      }
+    });
+  }
+  addEventListener("load", mark);
+  addEventListener("resize", mark);
+})();
