@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import shlex
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
+from occgrid.scenario import ScenarioError
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.program_check import check_program
 from occgrid_parity.check.verdict import Verdict
@@ -45,9 +47,20 @@ class MapperRunner:
         self.reads_scenarios = reads_scenarios
         self.takes_seeds = takes_seeds
         self.plain_mode = NOISE_FREE
+        self.functions: tuple[str, ...] = ()
+
+    def probe(self, function: str, questions: Sequence[str]) -> list[str]:
+        raise AssertionError("a mapper has no functions to ask for")
 
     def run(self, case: Case, mode: Mode) -> Outcome:
-        drawn = self.mapper.of(case, mode.seed, self.numbers).draw()
+        try:
+            mapper = self.mapper.of(case, mode.seed, self.numbers)
+        except ScenarioError as error:
+            said = f"exit status 1: {error}"
+            return Outcome(
+                0.0, None, "crash", said, status=1, printed=f"{error}\n"
+            )
+        drawn = mapper.draw()
         pixels = drawn.pixels.astype(np.uint16)
         log_odds = drawn.log_odds if self.log_odds else None
         return Outcome(0.0, Observed(pixels, log_odds, "the test's map"))

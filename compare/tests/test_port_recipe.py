@@ -16,6 +16,7 @@ from occgrid_parity.ports.contributing import PAGE, read_table
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.ports.finding import find_ports
 from occgrid_parity.ports.probing import FUNCTIONS, run_probe
+from occgrid_parity.suite.vectors import RESULTS, read_vectors
 
 from .conftest import ROOT
 from .test_parallel_ports import (
@@ -24,7 +25,6 @@ from .test_parallel_ports import (
     difference,
     wrong_functions,
 )
-from .test_vectors import RESULTS, read_vectors
 
 SCENARIO = "one-beam"
 FAST, PLAIN = "noise-free", "noise-free-plain"

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from occgrid_parity.processes.process_group import run_process
+from occgrid_parity.suite.vectors import read_vectors
 
 from .bad_files import BAD, bad_files
 from .conftest import ROOT, unavailable
 from .test_vectors import FOLDER as VECTORS
-from .test_vectors import read_vectors
 
 # what the tables of SPEC section 8 write in capitals, and what may stand there
 PLACEHOLDERS = {

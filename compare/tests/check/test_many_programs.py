@@ -23,6 +23,7 @@ import pytest
 from occgrid_parity.check import levels
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.processes.limits import Ended, Limits, what_went_wrong
+from occgrid_parity.processes.wall import NONE
 from occgrid_parity.suite.cases import LESSON, TWIN
 
 from ..check_helpers import PROGRAMS, check_words, names
@@ -152,7 +153,9 @@ def light(
             timeout=limits.seconds,
         ).returncode
     told = {"word": "", "status": status, "start_error": 0}
-    word, message = what_went_wrong(told, command, limits, stdout, stderr)
+    word, message = what_went_wrong(
+        told, command, limits, stdout, stderr, NONE
+    )
     seconds = time.monotonic() - started
     return Ended(word, message, seconds, stdout, stderr, status=status)
 
