@@ -53,8 +53,9 @@ VerificationTest[
   {},
   TestID -> "random lines"]
 VerificationTest[
-  {Length[First[Bresenham[0, 0, 2^20, 1]]],
-    Quiet[Bresenham[0, 0, 2^20 + 1, 1]],
-    Quiet[Bresenham[0, 0, 3, -2^20 - 1]]},
-  {2^20 + 1, $Failed, $Failed},
-  TestID -> "at most 2^20 steps"]
+  {Quiet[Bresenham[0, 0, 2^20 + 1, 1]], Quiet[Bresenham[0, 0, 3, -2^20 - 1]]},
+  {$Failed, $Failed},
+  TestID -> "more than 2^20 steps are refused"]
+VerificationTest[
+  Length[First[Bresenham[0, 0, 2^20, 1]]], 2^20 + 1,
+  TestID -> "the longest line"]
