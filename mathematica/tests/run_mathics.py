@@ -2,7 +2,7 @@
 
     build/mathics/bin/python mathematica/tests/run_mathics.py [NAME...]
 
-NAME is a test file, as Grid for tests/Grid.wlt; without any: all that stand in TESTS. Needs the package Mathics3 (PyPI).
+NAME is a test file, as Grid for tests/Grid.wlt; without any: all that stand in TESTS. Needs Mathics3 (from PyPI).
 
 The package is loaded by its name, Needs["OccupancyGrid`"]. Then no name may have come into the wrong context, and the
 tests run one by one. What Mathics cannot do stands in mathematica/README.md, in the table below "What Mathics3 cannot
@@ -150,7 +150,7 @@ class Kernel:
                     :300
                 ]
             return False, str(result)[:300]
-        except Exception as error:  # noqa: BLE001
+        except Exception as error:
             return False, f"{type(error).__name__}: {error}"[:300]
         finally:
             signal.setitimer(signal.ITIMER_PROF, 0)
