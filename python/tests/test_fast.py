@@ -269,4 +269,5 @@ def test_every_scenario(name: str, seed: int | None) -> None:
         printed = map_scenario(scenario, seed)
         quick = map_scenario_fast(scenario, seed)
     assert quick.log_odds.tobytes() == printed.log_odds.tobytes()
-    assert (quick.log_odds != quick.l0).any()
+    # no beam of "beside" meets its grid
+    assert (quick.log_odds != quick.l0).any() == (name != "beside")
