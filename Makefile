@@ -25,7 +25,7 @@ export MAVEN_OPTS += -Dmaven.repo.local=$(CURDIR)/build/m2
 endif
 endif
 
-clang-format = find cpp/src cpp/tests bench -name "*.[ch]pp" -exec clang-format --style=file:cpp/.clang-format $1 {} +
+clang-format = find cpp/include cpp/src cpp/tests bench -name "*.[ch]pp" -exec clang-format --style=file:cpp/.clang-format $1 {} +
 SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 # A test's file goes to one worker as a whole: its tests share maps.
 WORKERS := -n $(JOBS) --dist loadfile
