@@ -55,9 +55,9 @@ test: setup  ## The tests of everything; ends with a table of what passed
 .PHONY: test-long
 test-long: setup  ## What rarely fails and takes long: other compilers and flags, long random campaigns
 	$(BIN)/occgrid-parity build --jobs $(JOBS)
-	$(BIN)/pytest $(WORKERS) -m long compare/
+	PARITY_ALL_CASES=1 $(BIN)/pytest $(WORKERS) -m "long or not long" compare/
 	$(CPP_TESTS)
-	ctest --test-dir cpp/build-tests -R build_flags $(CTEST)
+	ctest --test-dir cpp/build-tests -R "build_(flags|consumer)" $(CTEST)
 
 .PHONY: same-bits
 same-bits:  ## The C++ port on six other kinds of processor, emulated by qemu
@@ -142,7 +142,7 @@ run-test-python:
 	@scripts/part python 'pytest' 'pytest python/tests'
 
 run-test-cpp:
-	@scripts/part cpp 'g++ cmake' '$(CPP_TESTS); ctest --test-dir cpp/build-tests -E build_flags $(CTEST)'
+	@scripts/part cpp 'g++ cmake' '$(CPP_TESTS); ctest --test-dir cpp/build-tests -E "build_(flags|consumer)" $(CTEST)'
 
 run-test-cpp-format:
 	@scripts/part cpp-format 'clang-format' '$(call clang-format,--dry-run -Werror)'

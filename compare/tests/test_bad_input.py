@@ -1,6 +1,7 @@
 """Bad input: every port refuses it with the same status, line and reason, and writes nothing.
 
-The files are those of scenarios/bad. Each is a process for each port, since the first error ends a run.
+The files are those of scenarios/bad. Each is a process for each port, since the first error ends a run: all of them are
+run by ``pytest -m long``, one of EVERY otherwise. The unit tests of the ports read all of them.
 """
 
 from __future__ import annotations
@@ -13,13 +14,13 @@ from pathlib import Path
 import pytest
 
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.process_group import run_process
 
-from .bad_files import Answer, bad_files, check_refused, give
-from .conftest import JOBS, PORTS, unavailable
+from .bad_files import bad_files, check_refused, give
+from .conftest import PORTS, unavailable
 
 FILES = {file.stem: (file, line, reason) for file, line, reason in bad_files()}
+EVERY = 8
 GOOD = """PARAM occgrid_width 4
 PARAM occgrid_height 3
 PARAM occgrid_resolution 1
@@ -36,34 +37,21 @@ DROP_PRIVILEGE = [
 ]
 
 
-@pytest.fixture(scope="session")
-def answers(
-    ready: list[Port], tmp_path_factory: pytest.TempPathFactory
-) -> dict[tuple[str, str], Answer]:
-    """Every port's answer to every bad file."""
-    folder = tmp_path_factory.mktemp("bad-input")
-    work = [(port, name) for port in ready for name in FILES]
-
-    def answer(item: tuple[Port, str], stop: object) -> Answer:
-        port, name = item
-        return give(port, FILES[name][0], folder / port.name / name)
-
-    found = side_by_side(answer, work, JOBS)
-    return {
-        (p.name, name): a for (p, name), a in zip(work, found, strict=True)
-    }
+CASES = [
+    pytest.param(
+        port.name, name, marks=[pytest.mark.long] if number % EVERY else []
+    )
+    for port in PORTS
+    for number, name in enumerate(FILES)
+]
 
 
-@pytest.mark.parametrize("name", FILES)
-@pytest.mark.parametrize("port", [port.name for port in PORTS])
+@pytest.mark.parametrize(("port", "name"), CASES)
 def test_refuses(
-    answers: dict[tuple[str, str], Answer],
-    need: Callable[[str], Port],
-    port: str,
-    name: str,
+    need: Callable[[str], Port], tmp_path: Path, port: str, name: str
 ) -> None:
-    need(port)
-    check_refused(answers[port, name], *FILES[name])
+    answer = give(need(port), FILES[name][0], tmp_path)
+    check_refused(answer, *FILES[name])
 
 
 @pytest.mark.parametrize("kind", ["missing", "folder", "in-a-file"])
