@@ -138,6 +138,7 @@ def light(
     watch: Path,
     limits: Limits,
     stop: threading.Event | None = None,
+    **_: object,
 ) -> Ended:
     """Runs a command as run_limited does, without a watch over what it does."""
     folder.mkdir(parents=True, exist_ok=True)
