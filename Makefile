@@ -11,10 +11,11 @@ SHELL := /bin/bash
 
 JOBS ?= 2
 PORTS := python cpp java matlab mathematica web
-PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica mathics web bench
+PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica web bench
 # These need the ports as they are built by then.
-LAST_PARTS := compare handouts web-pages
-ALL_PARTS := $(PARTS) $(LAST_PARTS)
+LAST_PARTS := compare handouts
+LONG_PARTS := mathics web-pages
+ALL_PARTS := $(PARTS) $(LAST_PARTS) $(LONG_PARTS)
 BIN := .venv/bin
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 
@@ -53,9 +54,11 @@ test: setup  ## The tests of everything; ends with a table of what passed
 	@scripts/part --report
 
 .PHONY: test-long
-test-long: setup  ## What rarely fails and takes long: other compilers and flags, long random campaigns
+test-long: setup  ## What rarely fails and takes long: other compilers and flags, all bad files, pages in a browser, starters
 	$(BIN)/occgrid-parity build --jobs $(JOBS)
 	PARITY_ALL_CASES=1 $(BIN)/pytest $(WORKERS) -m "long or not long" compare/
+	$(BIN)/pytest -c handouts/pytest.ini -m long handouts/tests
+	@$(MAKE) --no-print-directory $(LONG_PARTS:%=run-test-%)
 	$(CPP_TESTS)
 	ctest --test-dir cpp/build-tests -R "build_(flags|consumer)" $(CTEST)
 
@@ -178,4 +181,4 @@ run-test-compare:
 
 run-test-handouts:
 	@scripts/part handouts 'pytest' 'occgrid-parity build --jobs 1 --allow-skipped; \
-	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c handouts/pytest.ini handouts/tests'
+	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c handouts/pytest.ini -m "not long" handouts/tests'

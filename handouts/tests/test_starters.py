@@ -26,6 +26,7 @@ from occgrid_parity.processes.process_group import run_process
 
 # the lesson takes an interpreter of the Wolfram Language a minute
 SCENARIOS = ("one-beam", "octants", "outside", "prior")
+pytestmark = pytest.mark.long
 TOOLS = {
     "python": ("python3", "python3"),
     "cpp": ("g++ cmake libeigen3-dev", "cmake"),
