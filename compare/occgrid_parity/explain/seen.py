@@ -22,7 +22,13 @@ MOST_DIGITS = 15
 
 
 def observations(maps: Sequence[Evidence], reads_scenarios: bool) -> list[str]:
-    """Sentences about what is seen. ``maps`` are all maps of the program that have the right size."""
+    """Sentences about what is seen. ``maps`` are the maps of the program; those of a wrong size say nothing here."""
+    maps = [
+        one
+        for one in maps
+        if one.observed.pixels.shape
+        == reference_map(one.case, one.mode).pixels.shape
+    ]
     said = []
     # the first that fits explains the grey levels
     for looks in ((_maximum, _trinary, _single_update), (_log_odds,)):

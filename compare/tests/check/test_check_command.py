@@ -16,6 +16,8 @@ from occgrid_parity.suite.cases import scenario_folder
 
 from ..check_helpers import PROGRAMS
 
+pytestmark = pytest.mark.long
+
 GOLDEN = scenario_folder() / "golden"
 RIGHT = f"""sh -c 'cat {GOLDEN}/$(basename "$0" .log).noise-free.pgm' {{scenario}}"""
 

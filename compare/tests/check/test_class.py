@@ -21,6 +21,8 @@ from occgrid_parity.course.submission_task import Wanted
 from occgrid_parity.processes.limits import MEBI, Limits
 from occgrid_parity.suite.cases import scenario_folder
 
+pytestmark = pytest.mark.long
+
 GOLDEN = scenario_folder() / "golden"
 
 # what each submission's shell script does; $1 is the scenario, the working folder is the empty one

@@ -17,6 +17,8 @@ import pytest
 
 from ..check_helpers import PROGRAMS
 
+pytestmark = pytest.mark.long
+
 distributed: Any = pytest.importorskip("distributed")
 
 PYTHON = [sys.executable, "-m"]

@@ -24,6 +24,8 @@ from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 from ..check_helpers import MapperRunner, wrong_beam
 
+pytestmark = pytest.mark.long
+
 
 # a program that is given a part of a log knows nothing of numbers: its bad beam is known by where it ends
 @pytest.mark.parametrize(

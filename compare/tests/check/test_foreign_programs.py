@@ -16,6 +16,8 @@ import pytest
 from ..check_helpers import PROGRAMS, check_words, names
 from .conftest import Installed
 
+pytestmark = pytest.mark.long
+
 PERL, AWK = shutil.which("perl"), shutil.which("awk")
 NEEDS_PERL = pytest.mark.skipif(PERL is None, reason="install perl")
 NEEDS_AWK = pytest.mark.skipif(AWK is None, reason="install awk")

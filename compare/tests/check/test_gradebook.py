@@ -15,6 +15,8 @@ from occgrid_parity.course.gradebook import RosterError, read_roster
 
 from ..check_helpers import PROGRAMS
 
+pytestmark = pytest.mark.long
+
 ROSTER = (
     "submission,Student,SIS Login ID,Email address\n"
     'right,"One, Some",one,one@example.org\n'

@@ -8,6 +8,8 @@ from pathlib import Path
 from ..conftest import ROOT
 from .conftest import Installed, build_wheel
 
+pytestmark = pytest.mark.long
+
 PROJECT = """
 [build-system]
 requires = ["hatchling"]
