@@ -5,6 +5,8 @@ from __future__ import annotations
 import zipfile
 from pathlib import Path
 
+import pytest
+
 from ..conftest import ROOT
 from .conftest import Installed, build_wheel
 
