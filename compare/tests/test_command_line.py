@@ -123,7 +123,7 @@ def test_replaces_files_and_names_maps_as_the_contract_says(
     assert (
         (out / "the last.one.yaml")
         .read_text()
-        .startswith("image: the last.one.pgm\n")
+        .startswith("image: \"the last.one.pgm\"\n")
     )
 
 
@@ -146,7 +146,7 @@ def test_a_name_may_be_in_any_letters(
     out = tmp_path / "out"
     assert files(out) == sorted(scenario.stem + suffix for suffix in SUFFIXES)
     yaml = (out / f"{scenario.stem}.yaml").read_text(encoding="utf-8")
-    assert yaml.startswith("image: Örebro åäö 地図.pgm\n")
+    assert yaml.startswith('image: "Örebro åäö 地図.pgm"\n')
 
 
 @each_port
@@ -177,7 +177,7 @@ def test_a_locale_that_cannot_say_a_name_takes_it_or_says_so(
         assert (finished.exit_status, said) == (0, "")
         assert files(out) == sorted(scenario.stem + s for s in SUFFIXES)
         yaml = (out / f"{scenario.stem}.yaml").read_text(encoding="utf-8")
-        assert yaml.startswith("image: Örebro åäö 地図.pgm\n")
+        assert yaml.startswith('image: "Örebro åäö 地図.pgm"\n')
 
 
 @pytest.mark.parametrize("redirection", [">", ">>"])
