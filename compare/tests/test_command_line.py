@@ -123,7 +123,7 @@ def test_replaces_files_and_names_maps_as_the_contract_says(
     assert (
         (out / "the last.one.yaml")
         .read_text()
-        .startswith("image: \"the last.one.pgm\"\n")
+        .startswith('image: "the last.one.pgm"\n')
     )
 
 
