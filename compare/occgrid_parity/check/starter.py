@@ -22,17 +22,9 @@ from occgrid_parity.ports.declaration_reader import (
 from occgrid_parity.ports.probing import ProbeError, run_probe
 from occgrid_parity.processes.process_group import run_process
 from occgrid_parity.suite.cases import scenario_folder
+from occgrid_parity.suite.vectors import FUNCTIONS, read_vectors
 
 STARTER = "starter.toml"
-# how many of a file's last columns are results
-RESULTS = {
-    "logit": 1,
-    "update_cell": 1,
-    "world_to_grid": 2,
-    "bresenham": 1,
-    "read_ranges": 3,
-    "beam_endpoints": 2,
-}
 NOT_WRITTEN = re.compile(r"exercise \d+: (\w+) is not written yet")
 DOUBLE = re.compile(r"[0-9a-f]{16}")
 WIDEST_ANSWER = 120
@@ -85,7 +77,7 @@ def _function(reader: DeclarationReader, entry: object) -> StarterFunction:
         reader.path, entry if isinstance(entry, dict) else {}
     )
     vectors = inner.table.pop("vectors", "")
-    if vectors and vectors not in RESULTS:
+    if vectors and vectors not in FUNCTIONS:
         raise reader.error(f"there are no vectors {vectors}")
     function = StarterFunction(inner.text("name"), str(vectors))
     inner.no_more_keys()
@@ -118,7 +110,8 @@ def _look_at(
 ) -> str:
     if not function.vectors:
         return _in_the_program(port, starter, function, folder)
-    questions, answers = _vectors(function.vectors)
+    vectors = read_vectors(function.vectors)
+    questions, answers = vectors.questions, vectors.answers
     try:
         found = run_probe(port, function.vectors, questions, folder)
     except ProbeError as error:
@@ -178,17 +171,6 @@ def _missing(said: Path) -> str:
     """The function that a program says is not written, on its standard error; empty where it says so of none."""
     match = NOT_WRITTEN.search(said.read_text("utf-8", "replace"))
     return match[1] if match else ""
-
-
-def _vectors(function: str) -> tuple[list[str], list[str]]:
-    """The cases of a function: arguments and right results, as the probe takes and gives them."""
-    path = scenario_folder() / "vectors" / f"{function}.csv"
-    rows = [line.split(",") for line in path.read_text("ascii").splitlines()]
-    results = RESULTS[function]
-    return (
-        [" ".join(row[:-results]) for row in rows[1:]],
-        [" ".join(row[-results:]) for row in rows[1:]],
-    )
 
 
 def _short(text: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from occgrid_parity.check.levels import EVIDENCE
 from occgrid_parity.explain.closeness import differing
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.mapper_steps import Mapper
@@ -15,21 +16,7 @@ from occgrid_parity.suite.cases import LESSON, case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 PAGE = "docs/mistakes.md"
-SMALL = (
-    "one-beam",
-    "octants",
-    "no-return-free",
-    "no-return-ignore",
-    "saturate",
-    "prior",
-    "outside",
-    "asymmetric",
-    "flaser",
-    "robotlaser1",
-    "mixed",
-    "powers",
-    "formats",
-)
+SMALL = (*EVIDENCE, "formats")
 COLUMNS: tuple[tuple[str, Mode], ...] = (
     *((name, NOISE_FREE) for name in (*SMALL, LESSON)),
     ("asymmetric", Mode(0)),
