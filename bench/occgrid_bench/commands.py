@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
-import sys
 import tempfile
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from occgrid_bench.folders import PROGRAMS, ROOT
+from occgrid_parity.ports.declaration import DECLARATION, Port, read_port
 
 
 @dataclass(frozen=True)
@@ -30,30 +28,20 @@ def port_command(
     port: str, scenario: Path, options: Sequence[str] = ()
 ) -> list[str]:
     """The command that maps a scenario free of noise; {out} stands for the folder of the maps."""
-    folder = ROOT / port
-    declared = tomllib.loads((folder / "port.toml").read_text("utf-8"))
-    words = []
-    for word in declared["run"]:
-        if word in ("{scenario}", "{scenarios}"):
-            words += [*options, str(scenario)]
-        else:
-            word = word.replace("{port}", str(folder))
-            word = word.replace("{python}", sys.executable)
-            words.append(word.replace("{mode}", "--noise-free"))
-    return words
+    declared = _declared(port)
+    words = [*options, str(scenario)]
+    return declared.command(
+        declared.run, mode=["--noise-free"], scenario=words, scenarios=words
+    )
 
 
 def missing(port: str) -> str:
     """What to install for a port's command, or nothing."""
-    declared = tomllib.loads((ROOT / port / "port.toml").read_text("utf-8"))
-    bin_folder = str(ROOT / ".venv" / "bin")
-    for need in declared.get("needs", []):
-        command = need["command"]
-        if not (
-            shutil.which(command) or shutil.which(command, path=bin_folder)
-        ):
-            return f"install {need['install']}"
-    return ""
+    return _declared(port).skip_reason or ""
+
+
+def _declared(port: str) -> Port:
+    return read_port(ROOT / port / DECLARATION)
 
 
 def run_command(command: Sequence[str]) -> Run:

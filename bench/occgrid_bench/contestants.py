@@ -56,6 +56,10 @@ def _program(name: str, *arguments: str) -> tuple[str, ...]:
     return (str(PROGRAMS / name), "{work}", *arguments)
 
 
+def _node(script: str, *arguments: str) -> tuple[str, ...]:
+    return ("node", str(BENCH / script), "{work}", *arguments)
+
+
 WOXI = str(ROOT / ".venv" / "bin" / "woxi")
 
 CONTESTANTS = [
@@ -74,6 +78,14 @@ CONTESTANTS = [
         "port",
         _program("cpp_port"),
         4e8,
+        "update_grid_from_scans, all scans in one call",
+    ),
+    Contestant(
+        "cpp-plain",
+        "C++ port, plain",
+        "port",
+        _program("cpp_port", "plain"),
+        1e8,
         "update_grid_from_scan, scan after scan",
     ),
     Contestant(
@@ -82,6 +94,16 @@ CONTESTANTS = [
         "port",
         (*JAVA, "PortDriver", "{work}"),
         3e8,
+        "updateGridFromScans, all scans in one call",
+        install="openjdk-17-jdk-headless",
+        warm_up=2.0,
+    ),
+    Contestant(
+        "java-plain",
+        "Java port, plain, warm",
+        "port",
+        (*JAVA, "PortDriver", "{work}", "plain"),
+        5e7,
         "updateGridFromScan, scan after scan",
         install="openjdk-17-jdk-headless",
         warm_up=2.0,
@@ -95,6 +117,26 @@ CONTESTANTS = [
         "the first map of a new virtual machine",
         install="openjdk-17-jdk-headless",
         fresh=True,
+    ),
+    Contestant(
+        "web",
+        "JavaScript port, warm",
+        "port",
+        _node("web/port_driver.mjs"),
+        1e8,
+        "updateGridFromScans, all scans in one call",
+        install="nodejs",
+        warm_up=1.0,
+    ),
+    Contestant(
+        "web-plain",
+        "JavaScript port, plain, warm",
+        "port",
+        _node("web/port_driver.mjs", "plain"),
+        2e7,
+        "updateGridFromScan, scan after scan",
+        install="nodejs",
+        warm_up=1.0,
     ),
     Contestant(
         "python",
@@ -118,7 +160,7 @@ CONTESTANTS = [
         "port",
         _octave("matlab/port_driver.m", "log"),
         1e7,
-        "update_grid_from_scan, batches of 8192 beams, as the port maps a log",
+        "update_grid_from_scans, batches of 8192 beams, as the port maps a log",
         install="octave",
     ),
     Contestant(
@@ -127,7 +169,7 @@ CONTESTANTS = [
         "port",
         _octave("matlab/port_driver.m", "scan"),
         2e6,
-        "update_grid_from_scan, scan after scan",
+        "update_grid_from_scans, scan after scan",
         install="octave",
     ),
     Contestant(
@@ -142,7 +184,7 @@ CONTESTANTS = [
             "{log_odds}",
         ),
         1e5,
-        "UpdateGridFromScan, scan after scan, each time in a new process",
+        "UpdateGridFromScans, all scans in one call, each time in a new process",
         install="woxi==0.3.0 (pip)",
         one_shot=True,
     ),
@@ -156,6 +198,17 @@ CONTESTANTS = [
         install="openjdk-17-jdk-headless",
         check="count",
         warm_up=2.0,
+    ),
+    Contestant(
+        "lesson-web",
+        "lesson's algorithm, JavaScript, warm",
+        "lesson",
+        _node("baseline/web/lesson_driver.mjs"),
+        3e7,
+        "a list of arrays per beam",
+        install="nodejs",
+        check="count",
+        warm_up=1.0,
     ),
     Contestant(
         "lesson-python",

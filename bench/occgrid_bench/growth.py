@@ -18,11 +18,18 @@ from occgrid_bench.work import Work, lesson_spec, simulated
 PATIENCE = {
     "cpp": 60.0,
     "java": 60.0,
+    "web": 60.0,
     "python": 30.0,
     "octave": 12.0,
     "woxi": 6.0,
 }
-QUICK_PATIENCE = {"cpp": 2.0, "java": 2.0, "python": 1.0, "octave": 0.6}
+QUICK_PATIENCE = {
+    "cpp": 2.0,
+    "java": 2.0,
+    "web": 2.0,
+    "python": 1.0,
+    "octave": 0.6,
+}
 FOLDERS = {"octave": "matlab", "woxi": "mathematica"}
 
 

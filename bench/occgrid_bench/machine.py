@@ -30,6 +30,7 @@ def machine() -> dict[str, str]:
         "C++": _said("c++", "--version"),
         "Java": _said("java", "-version"),
         "Python": f"{sys.version.split()[0]}, NumPy {np.__version__}",
+        "Node.js": _said("node", "--version"),
         "Octave": _said("octave-cli", "--version"),
         "woxi": _said(WOXI, "--version"),
         "MRPT": _package("libmrpt-maps-dev"),

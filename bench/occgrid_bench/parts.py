@@ -29,7 +29,7 @@ from occgrid_bench.work import (
 from occgrid_parity.logs.conversion import Request, Selection
 from occgrid_parity.logs.making import make_scenario
 
-PORTS = ["cpp", "java", "python", "matlab", "mathematica"]
+PORTS = ["cpp", "java", "python", "matlab", "mathematica", "web"]
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -11,10 +12,15 @@ import pytest
 from occgrid.grid import OccupancyGrid
 from occgrid.sensor import beam_endpoints
 from occgrid_bench import growth
+from occgrid_bench.commands import port_command
+from occgrid_bench.comparison import ENVIRONMENT
 from occgrid_bench.contestants import CONTESTANTS, REFERENCE
+from occgrid_bench.drivers import Driver
+from occgrid_bench.folders import ROOT
 from occgrid_bench.goals import Goal, goals
-from occgrid_bench.log_odds import differing
+from occgrid_bench.log_odds import contract_map, differing
 from occgrid_bench.markdown import markdown
+from occgrid_bench.parts import PORTS
 from occgrid_bench.plots import draw
 from occgrid_bench.record import Part, Series, read_part
 from occgrid_bench.statistics import deviation, ratio
@@ -188,6 +194,56 @@ def test_growth_starts_at_the_lesson(axis: str) -> None:
     same = {"scans": 1, "beams": 181, "resolution": 0.1, "grid": 1}[axis]
     assert make(same).spec == lesson_work().spec
     assert (make(same).ranges == lesson_work().ranges).all()
+
+
+# --- contestants ---
+
+
+def test_every_port_takes_part() -> None:
+    declared = {path.parent.name for path in ROOT.glob("*/port.toml")}
+    assert set(PORTS) == declared
+    for port in PORTS:
+        command = port_command(port, Path("s.log"), ["--threads", "2"])
+        at = command.index("--noise-free")
+        assert command[at + 1 : at + 3] == ["--out", "{out}"]
+        assert command[-3:] == ["--threads", "2", "s.log"]
+        assert not any("{port}" in word for word in command)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "python",
+        "python-scan",
+        "lesson-python",
+        "web",
+        "web-plain",
+        "lesson-web",
+    ],
+)
+def test_drivers_map_the_work(name: str, tmp_path: Path) -> None:
+    """Those that need no build; the others are held to the contract by each measurement."""
+    (contestant,) = (c for c in CONTESTANTS if c.name == name)
+    if contestant.missing():
+        if os.environ.get("PARITY_REQUIRE_ALL", "") not in ("", "0"):
+            pytest.fail(contestant.missing())
+        pytest.skip(contestant.missing())
+    work = small_work()
+    path = str(work.write(tmp_path))
+    command = [word.format(work=path) for word in contestant.command]
+    with Driver(command, ENVIRONMENT) as driver:
+        seconds = driver.map(2)
+        driver.write(tmp_path / "map.logodds")
+    assert len(seconds) == 2
+    assert min(seconds) > 0.0
+    expected = contract_map(work)
+    if contestant.check == "bits":
+        assert differing(tmp_path / "map.logodds", expected) == 0
+        return
+    text = (tmp_path / "map.logodds").read_text("ascii").split("\n", 1)[1]
+    found = np.array(text.split(), dtype=np.float64)
+    # another library's cosine may move a few beams' ends
+    assert np.sum(abs(found - expected.ravel()) > 1e-9) < 10
 
 
 # --- records, tables, pictures ---
