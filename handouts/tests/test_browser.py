@@ -9,6 +9,7 @@ import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
+from urllib.parse import parse_qsl
 
 import pytest
 
@@ -49,6 +50,13 @@ var said = [];
 onmessage = function (e) { said.push(e.data); document.title = JSON.stringify(said); };
 </script>
 """
+STATE = """
+<script>
+addEventListener("load", function () {
+  setTimeout(function () { document.title = occgridPage.address(); }, 1000);
+});
+</script>
+"""
 REMEMBER = """
 <script>
 var chosen = document.querySelector("[role=tab][aria-selected=true]").dataset.language;
@@ -60,8 +68,8 @@ if (!location.search) {
 """
 
 
-def title_in_browser(folder: Path, name: str) -> str:
-    """The title of a page after its scripts have run."""
+def title_in_browser(folder: Path, name: str, address: str = "") -> str:
+    """The title of a page after its scripts have run; the address is what follows the page's name, "#" included."""
     browser = needs("chromium", "chromium", "google-chrome")
     done = subprocess.run(
         [
@@ -70,7 +78,7 @@ def title_in_browser(folder: Path, name: str) -> str:
             f"--user-data-dir={folder / 'profile'}",
             "--dump-dom",
             "--window-size=1400,1000",
-            (folder / name).as_uri(),
+            (folder / name).as_uri() + address,
         ],
         capture_output=True,
         text=True,
@@ -130,3 +138,28 @@ def test_language_of_the_tabs_is_remembered(
     page = with_script(handouts, "student/python.html", REMEMBER)
     (tmp_path / "page.html").write_text(page)
     assert title_in_browser(tmp_path, "page.html") == "remembered: cpp"
+
+
+def test_links_to_play_open_the_state_that_they_ask_for(
+    handouts: Handouts, tmp_path: Path
+) -> None:
+    if not (handouts.folder / "student" / "play.html").is_file():
+        pytest.skip("this build could not make play.html")
+    page = with_script(handouts, "student/play.html", STATE)
+    (tmp_path / "play.html").write_text(page, encoding="utf-8")
+    targets = {
+        element.attributes.get("href", "")
+        for name in handouts.pages()
+        for element in handouts.page(name).walk()
+        if element.tag == "a"
+    }
+    states = {
+        target.removeprefix("play.html#")
+        for target in targets
+        if target.startswith("play.html#")
+    }
+    assert len(states) == 6
+    for state in sorted(states):
+        title = title_in_browser(tmp_path, "play.html", "#" + state)
+        shown = html.unescape(title).removeprefix("#")
+        assert set(parse_qsl(state)) <= set(parse_qsl(shown)), (state, shown)

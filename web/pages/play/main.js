@@ -75,5 +75,6 @@ Object.assign(window, {
       for (const figure of figures) figure.render();
     },
     hash: () => hashOfMap(lab.maps().now),
+    address: () => addressOf(lab, touched),
   },
 });
