@@ -27,6 +27,8 @@ endif
 endif
 
 clang-format = find cpp/include cpp/src cpp/tests bench -name "*.[ch]pp" -exec clang-format --style=file:cpp/.clang-format $1 {} +
+# The wheel's packages as a student's machine sees them; with a cache for each system, as mypy drops that of another one.
+mypy-for = mypy --platform $1 --cache-dir .mypy_cache/$1 -p occgrid -p occgrid_parity
 SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 # A test's file goes to one worker as a whole: its tests share maps.
 WORKERS := -n $(JOBS) --dist loadfile
@@ -54,7 +56,8 @@ test: setup  ## The tests of everything; ends with a table of what passed
 	@scripts/part --report
 
 .PHONY: test-long
-test-long: setup  ## What rarely fails and takes long: other compilers and flags, all bad files, pages in a browser, starters
+test-long: setup  ## What rarely fails and takes long: other compilers, flags and systems, pages in a browser, starters
+	$(BIN)/$(call mypy-for,darwin)
 	$(BIN)/occgrid-parity build --jobs $(JOBS)
 	PARITY_ALL_CASES=1 $(BIN)/pytest $(WORKERS) -m "long or not long" compare/
 	$(BIN)/pytest -c handouts/pytest.ini -m long handouts/tests
@@ -139,7 +142,8 @@ help:  ## This list
 
 run-test-lint:
 	@scripts/part lint 'ruff mypy' 'ruff check .; ruff format --check .; \
-	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests bench/tests),; mypy $(tests))'
+	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests bench/tests),; mypy $(tests)); \
+	    $(call mypy-for,win32)'
 
 run-test-python:
 	@scripts/part python 'pytest' 'pytest python/tests'

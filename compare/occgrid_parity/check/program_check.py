@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tempfile
 import threading
+from collections.abc import Sequence
 from pathlib import Path
 
 from occgrid_parity.check.check_options import Options
@@ -26,11 +27,13 @@ def check_program(
         runner = CommandRunner(program, Path(folder), limits, stop)
         problem = runner.build()
         if problem is not None:
-            return broken(runner, problem.word, problem.message)
+            return broken(runner, problem.word, problem.message, problem.notes)
         return check(runner, options)
 
 
-def broken(runner: Runner, word: str, message: str) -> Verdict:
+def broken(
+    runner: Runner, word: str, message: str, notes: Sequence[str] = ()
+) -> Verdict:
     """The verdict on a program that could not even be run."""
     return Verdict(
         schema=SCHEMA,
@@ -42,4 +45,5 @@ def broken(runner: Runner, word: str, message: str) -> Verdict:
         seconds=0.0,
         runs=0,
         levels=levels_of_broken(runner, word, message),
+        notes=list(notes),
     )

@@ -178,7 +178,9 @@ def _verdict(
     runner = CommandRunner(program, folder / "runs", limits, wall=wall)
     problem = runner.build()
     if problem is not None:
-        verdict = broken(runner, problem.word, problem.message)
+        verdict = broken(
+            runner, problem.word, problem.message, problem.notes
+        )
     else:
         verdict = _levels(runner, wanted, save, maps)
     notes = [

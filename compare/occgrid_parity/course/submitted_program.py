@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shlex
 import tomllib
 from dataclasses import replace
 from pathlib import Path
@@ -14,6 +13,7 @@ from occgrid_parity.ports.declaration_reader import (
     Need,
     PortError,
 )
+from occgrid_parity.programs.command_words import join_words
 from occgrid_parity.programs.program import (
     DEFAULT_TIMEOUT,
     Program,
@@ -60,8 +60,8 @@ def submitted_program(
             folder.name,
             tuple(given.run),
             folder,
-            words=shlex.join(given.run),
-            option=f"--port {shlex.quote(str(file))}",
+            words=join_words(given.run),
+            option=f"--port {join_words([str(file)])}",
         )
         if program.has("out", "pgm"):
             program = replace(program, cwd=folder)
@@ -114,6 +114,6 @@ def _ignored(keys: list[str], allowed: list[str]) -> list[str]:
 def _in_folder(word: str, folder: Path) -> str:
     """A word that names a file of the submission as its full path."""
     path = folder / word
-    if "{" in word or word.startswith(("-", "/")) or not path.is_file():
+    if "{" in word or word.startswith("-") or not path.is_file():
         return word
     return str(path)

@@ -51,7 +51,8 @@ def run_probe(
     stem = f"{port.name}.{function}"
     question_file = folder / f"{stem}.input"
     answer_file = folder / f"{stem}.output"
-    question_file.write_text("".join(f"{line}\n" for line in asked))
+    text = "".join(f"{line}\n" for line in asked)
+    question_file.write_text(text, encoding="ascii", newline="\n")
     command = port.command(
         port.probe, function=function, input=question_file, output=answer_file
     )

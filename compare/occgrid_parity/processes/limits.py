@@ -17,13 +17,22 @@ from typing import Any
 from occgrid_parity.processes.process_group import first_line, run_process
 from occgrid_parity.processes.wall import NONE, Wall
 
-SUPERVISOR = Path(__file__).with_name("supervisor.py")
+SUPERVISOR = ("-P", "-m", "occgrid_parity.processes.supervisor")
 GRACE = 10.0  # seconds that the supervisor has to clean up
 MEBI = 2**20
 TAIL = 65536  # bytes of standard error in which a traceback is looked for
 PLACE = re.compile(r'\s+File "(?P<file>[^"]+)", line (?P<line>[0-9]+)')
 EXCEPTION = re.compile(r"[A-Za-z_][\w.]*(?:: .*)?$")
-LIBRARY = re.compile(r"/lib(?:64)?/python[0-9.]*/|/site-packages/|^<")
+LIBRARY = re.compile(
+    r"/lib(?:64)?/python[0-9.]*/|/Python[0-9.]*/Lib/|/site-packages/|^<"
+)
+
+WATCHED = (
+    "{system} sets no limits for a program: its memory, its processes and what it writes were looked at several times "
+    "a second, and what it took in between was not refused"
+)
+UNSEEN = "a process that a program leaves running can stay unseen: {system} does not say who started it"
+SYSTEMS = {"win32": "Windows", "darwin": "macOS"}
 
 # a shell's exit statuses
 NOT_EXECUTABLE = 126
@@ -57,7 +66,8 @@ class Ended:
     """How a run ended.
 
     ``word`` is empty where it went well, else what went wrong in a word or two, with ``message`` for the rest.
-    ``left`` processes were still there when the command had ended; they were ended, too.
+    ``left`` processes were still there when the command had ended; they were ended, too. ``notes`` say to what this
+    system could not hold it.
     """
 
     word: str
@@ -68,6 +78,20 @@ class Ended:
     left: int = 0
     peak: int = 0
     status: int | None = None
+    notes: tuple[str, ...] = ()
+
+
+def not_held(refused: str = "") -> tuple[str, ...]:
+    """What this system cannot hold a program to, in sentences; ``refused`` names limits that it would not set."""
+    name = SYSTEMS.get(sys.platform, sys.platform)
+    notes = []
+    if sys.platform == "win32":
+        notes.append(WATCHED.format(system=name))
+    if sys.platform != "linux":
+        notes.append(UNSEEN.format(system=name))
+    if refused:
+        notes.append(f"this system refused to limit the program's {refused}")
+    return tuple(notes)
 
 
 def run_limited(
@@ -113,10 +137,11 @@ def run_limited(
                 "memory": limits.memory,
                 "processes": limits.processes,
             }
-        )
+        ),
+        encoding="utf-8",
     )
     finished = run_process(
-        [sys.executable, "-I", "-S", str(SUPERVISOR), str(config)],
+        [sys.executable, *SUPERVISOR, str(config)],
         cwd=folder,
         stdout=folder / "supervisor.stdout",
         stderr=folder / "supervisor.stderr",
@@ -127,7 +152,7 @@ def run_limited(
         said = first_line(finished.stderr) or "nothing on standard error"
         message = f"the run could not be watched to its end ({said})"
         return Ended("lost", message, finished.seconds, stdout, stderr)
-    told = json.loads(report.read_text())
+    told = json.loads(report.read_text(encoding="utf-8"))
     if wall.works:
         _behind_the_wall(told, folder / "left")
     word, message = what_went_wrong(
@@ -142,6 +167,7 @@ def run_limited(
         told["left"],
         told["peak"],
         None if told["word"] else told["status"],
+        not_held(told["refused"]),
     )
 
 
@@ -176,13 +202,16 @@ def what_went_wrong(
             )
     if told["start_error"]:
         what = f"{command[0]}: {told['start_reason']}"
-        if told["start_error"] == errno.ENOENT and "/" not in command[0]:
+        is_name = Path(command[0]).name == command[0]
+        if told["start_error"] == errno.ENOENT and is_name:
             return "not found", f"{command[0]} is not a command here"
         if told["start_error"] == errno.ENOENT:
             return "not found", f"the program cannot be started: {what}"
         return "not executable", f"the program cannot be started: {what}"
     printed = max(file.stat().st_size for file in (stdout, stderr))
-    too_much = printed >= limits.output or status == -signal.SIGXFSZ
+    too_much = printed >= limits.output or (
+        sys.platform != "win32" and status == -signal.SIGXFSZ
+    )
     if told["word"] == "too much output" or too_much:
         return (
             "too much output",
@@ -235,11 +264,12 @@ def python_exception(text: str) -> str:
     said = [x for x in lines[last + 1 :] if EXCEPTION.match(x)]
     if not said:
         return ""
-    own = [m for _, m in places if not LIBRARY.search(m["file"])]
+    files = [(m["file"].replace("\\", "/"), m["line"]) for _, m in places]
+    own = [(f, line) for f, line in files if not LIBRARY.search(f)]
     if not own:
         return said[-1][:300]
-    file = own[-1]["file"].rsplit("/", 1)[-1]
-    return f"{said[-1][:300]} ({file}, line {own[-1]['line']})"
+    file, line = own[-1]
+    return f"{said[-1][:300]} ({file.rsplit('/', 1)[-1]}, line {line})"
 
 
 def _signal(number: int) -> str:

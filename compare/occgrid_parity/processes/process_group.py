@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 import os
-import selectors
 import signal
 import subprocess
 import sys
 import threading
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
+
+import psutil
+
+from occgrid_parity.processes.process_tree import (
+    children_of_ended,
+    kill_all,
+    kill_tree,
+)
 
 CAPTURE_LIMIT = 4 * 2**20
 KILL_GRACE = 2.0
@@ -121,6 +129,7 @@ def run_process(
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
+                bufsize=0,
                 start_new_session=True,
             )
         except (OSError, ValueError) as error:
@@ -132,17 +141,17 @@ def run_process(
                 f"{command[0]}: {reason}",
             )  # fmt: skip
         assert process.stdout is not None and process.stderr is not None
-        capture = _Capture(capture_limit)
-        capture.add(process.stdout, out)
-        capture.add(process.stderr, err)
+        copies = [
+            _Copy(process.stdout, out, capture_limit),
+            _Copy(process.stderr, err, capture_limit),
+        ]
         try:
-            timed_out = _wait(process, capture, started + time_limit, stop)
+            timed_out = _wait(process, started + time_limit, stop)
         finally:
-            _kill_group(process, capture)
-            capture.drain(time.monotonic() + DRAIN_GRACE)
-            capture.close()
-            process.stdout.close()
-            process.stderr.close()
+            _end_group(process)
+            deadline = time.monotonic() + DRAIN_GRACE
+            for copy in copies:
+                copy.finish(deadline)
     return Finished(
         tuple(command),
         None if timed_out else process.returncode,
@@ -156,74 +165,67 @@ def run_process(
 
 def _wait(
     process: subprocess.Popen[bytes],
-    capture: _Capture,
     deadline: float,
     stop: threading.Event | None,
 ) -> bool:
     """Waits for the end; True where the deadline came first."""
-    while process.poll() is None:
-        if stop is not None and stop.is_set():
-            raise Stopped
+    while True:
         left = deadline - time.monotonic()
-        if left <= 0:
-            return True
-        capture.pump(min(left, POLL_INTERVAL))
-    return False
+        try:
+            process.wait(min(max(left, 0.0), POLL_INTERVAL))
+            return False
+        except subprocess.TimeoutExpired:
+            if stop is not None and stop.is_set():
+                raise Stopped from None
+            if left <= 0:
+                return True
 
 
-def _kill_group(process: subprocess.Popen[bytes], capture: _Capture) -> None:
-    """Ends what is left of the group: SIGTERM, a moment's grace, SIGKILL."""
-    if process.poll() is None:
-        _signal_group(process.pid, signal.SIGTERM)
-        deadline = time.monotonic() + KILL_GRACE
-        while process.poll() is None and time.monotonic() < deadline:
-            capture.pump(POLL_INTERVAL)
-    _signal_group(process.pid, signal.SIGKILL)
+def _end_group(process: subprocess.Popen[bytes]) -> None:
+    """Ends what is left of the group: SIGTERM, a moment's grace, SIGKILL. On Windows, the tree of processes."""
+    if sys.platform == "win32":
+        with suppress(psutil.NoSuchProcess):
+            kill_tree(psutil.Process(process.pid))
+        kill_all(children_of_ended(process.pid))
+    else:
+        if process.poll() is None:
+            _signal_group(process.pid, signal.SIGTERM)
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(KILL_GRACE)
+        _signal_group(process.pid, signal.SIGKILL)
     process.wait()
 
 
 def _signal_group(group: int, number: signal.Signals) -> None:
-    try:
-        os.killpg(group, number)
-    except (ProcessLookupError, PermissionError):
-        pass  # nobody is left in it (macOS says the second for zombies)
+    if sys.platform != "win32":
+        try:
+            os.killpg(group, number)
+        except (ProcessLookupError, PermissionError):
+            pass  # nobody is left in it (macOS says the second for zombies)
 
 
-class _Capture:
-    """Copies pipes to files as their data comes, up to a limit for each."""
+class _Copy(threading.Thread):
+    """Copies a pipe to a file as its data comes, up to a limit. What is above is read and dropped."""
 
-    def __init__(self, limit: int) -> None:
-        self.limit = limit
-        self.selector = selectors.DefaultSelector()
-        self.written: dict[int, int] = {}
+    def __init__(self, pipe: IO[bytes], file: IO[bytes], limit: int) -> None:
+        super().__init__(daemon=True)
+        self.pipe = pipe
+        self.file = file
+        self.room = limit
+        self.over = False
+        self.lock = threading.Lock()
+        self.start()
 
-    def add(self, pipe: IO[bytes], file: IO[bytes]) -> None:
-        os.set_blocking(pipe.fileno(), False)
-        self.selector.register(pipe, selectors.EVENT_READ, file)
+    def run(self) -> None:
+        with self.pipe:
+            while data := self.pipe.read(CHUNK):
+                with self.lock:
+                    if self.over:
+                        return
+                    self.room -= self.file.write(data[: self.room])
 
-    def pump(self, timeout: float) -> None:
-        """Copies what has come, or waits for it up to ``timeout`` seconds."""
-        if not self.selector.get_map():
-            time.sleep(timeout)
-            return
-        for key, _ in self.selector.select(timeout):
-            try:
-                data = os.read(key.fd, CHUNK)
-            except BlockingIOError:
-                continue
-            if not data:
-                self.selector.unregister(key.fileobj)
-                continue
-            room = self.limit - self.written.get(key.fd, 0)
-            key.data.write(data[:room])
-            self.written[key.fd] = self.written.get(key.fd, 0) + len(
-                data[:room]
-            )
-
-    def drain(self, deadline: float) -> None:
-        """Copies what is left in the pipes, until their end or the deadline."""
-        while self.selector.get_map() and time.monotonic() < deadline:
-            self.pump(POLL_INTERVAL)
-
-    def close(self) -> None:
-        self.selector.close()
+    def finish(self, deadline: float) -> None:
+        """Waits for the end of the pipe, until the deadline: who is not of the group may still hold it."""
+        self.join(max(0.0, deadline - time.monotonic()))
+        with self.lock:
+            self.over = True

@@ -1,74 +1,43 @@
 """Runs one command within limits and ends every process that it started.
 
-This file is a program of its own, with nothing but the standard library: the harness starts it as
-``python -I -S supervisor.py CONFIG``. It makes itself the parent of the command's orphans (on Linux), so a process
-that left its group or session is still found and ended.
+This is a program of its own; the harness starts it for each command, with a file of settings. On Linux it makes itself
+the parent of the command's orphans, so a process that left its group or session is still found and ended; elsewhere it
+ends those that it has seen.
 """
 
 from __future__ import annotations
 
-import ctypes
 import errno
 import json
 import os
-import resource
 import signal
+import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
-PR_SET_PDEATHSIG = 1
-PR_SET_CHILD_SUBREAPER = 36
+import psutil
+
+from occgrid_parity.processes.process_tree import (
+    children_of_ended,
+    descendants,
+    is_alive,
+    kill_all,
+    resident_bytes,
+)
+
+if sys.platform != "win32":
+    from occgrid_parity.processes.posix_limits import (
+        adopt_orphans,
+        limits_setter,
+    )
+
 POLL = 0.01
 LOOK = 0.05  # seconds between two looks at memory and processes
 MEASURE = 0.25  # seconds between two looks at the files
-PROC = Path("/proc")
-SPARE_PROCESSES = 64
 LEFT = 9  # behind a wall, a shell writes there how many processes the command left
 WALL_PROCESSES = 3  # bubblewrap, the first process in it, and that shell
-
-
-def prctl(option: int, value: int) -> None:
-    """Linux's prctl; nothing where there is none."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None, use_errno=True).prctl(option, value, 0, 0, 0)
-
-
-def descendants() -> dict[int, int]:
-    """Resident bytes of each living process that this one, or one of its children, started."""
-    parents: dict[int, int] = {}
-    pages: dict[int, int] = {}
-    for entry in PROC.iterdir() if PROC.is_dir() else ():
-        if not entry.name.isdigit():
-            continue
-        try:
-            fields = (entry / "stat").read_text().rpartition(")")[2].split()
-        except OSError:
-            continue
-        if fields[0] not in "ZX":
-            parents[int(entry.name)] = int(fields[1])
-            pages[int(entry.name)] = int(fields[21])
-    found: dict[int, int] = {}
-    new = {os.getpid()}
-    while new:
-        new = {p for p, parent in parents.items() if parent in new} - set(
-            found
-        )
-        found |= {p: pages[p] * resource.getpagesize() for p in new}
-    return found
-
-
-def tasks_of_user() -> int:
-    """How many tasks this user has: the limit on processes counts them all."""
-    count = 0
-    for entry in PROC.glob("[0-9]*/task") if PROC.is_dir() else ():
-        try:
-            if entry.stat().st_uid == os.getuid():
-                count += len(list(entry.iterdir()))
-        except OSError:
-            continue
-    return count
 
 
 def size_of(folder: Path) -> int:
@@ -83,53 +52,73 @@ def size_of(folder: Path) -> int:
     return total
 
 
-def limit(kind: int, value: int) -> None:
-    """Sets a limit, as far as it is not lower already."""
-    _, hard = resource.getrlimit(kind)
-    if hard != resource.RLIM_INFINITY:
-        value = min(value, hard)
-    resource.setrlimit(kind, (value, value))
+class Command:
+    """The running command and its processes. ``refused`` names limits that the system would not set."""
 
-
-def become(config: dict[str, Any], failed: int) -> NoReturn:
-    """Turns this process into the command; what fails is written to ``failed``."""
-    try:
-        os.setsid()
-        prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        for name, flags in (
-            ("stdout", os.O_WRONLY | os.O_CREAT | os.O_TRUNC),
-            ("stderr", os.O_WRONLY | os.O_CREAT | os.O_TRUNC),
-        ):
-            file = os.open(config[name], flags, 0o644)
-            os.dup2(file, 1 if name == "stdout" else 2)
-            os.close(file)
+    def __init__(self, config: dict[str, Any]) -> None:
+        self.refused = ""
+        self.seen: set[psutil.Process] = set()
+        options: dict[str, Any] = {}
         if config["walled"]:
-            file = os.open(config["left"], flags, 0o600)
-            os.dup2(file, LEFT)
-            if file != LEFT:
-                os.close(file)
-        null = os.open(os.devnull, os.O_RDONLY)
-        os.dup2(null, 0)
-        os.chdir(config["cwd"])
-        limit(resource.RLIMIT_CORE, 0)
-        limit(resource.RLIMIT_FSIZE, config["bytes"])
-        limit(resource.RLIMIT_DATA, 2 * config["memory"])
-        if os.getuid() != 0:
-            spare = config["processes"] + SPARE_PROCESSES
-            limit(resource.RLIMIT_NPROC, tasks_of_user() + spare)
-        for number in (
-            signal.SIGTERM,
-            signal.SIGINT,
-            signal.SIGXFSZ,
-            signal.SIGPIPE,
+            flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
+            os.dup2(os.open(config["left"], flags, 0o600), LEFT)
+            options["pass_fds"] = (LEFT,)
+        reading, writing = os.pipe()
+        if sys.platform != "win32":
+            options["start_new_session"] = True
+            options["preexec_fn"] = limits_setter(
+                config["bytes"],
+                config["memory"],
+                config["processes"],
+                writing,
+            )
+        with (
+            os.fdopen(reading, "rb") as pipe,
+            Path(config["stdout"]).open("wb") as stdout,
+            Path(config["stderr"]).open("wb") as stderr,
         ):
-            signal.signal(number, signal.SIG_DFL)
-        os.execvpe(config["command"][0], config["command"], os.environ)
-    except OSError as error:
-        os.write(failed, f"{error.errno} {error.strerror}".encode())
-    except ValueError as error:
-        os.write(failed, f"{errno.EINVAL} {error}".encode())
-    os._exit(127)
+            try:
+                self.process = subprocess.Popen(
+                    config["command"],
+                    cwd=config["cwd"],
+                    stdin=subprocess.DEVNULL,
+                    stdout=stdout,
+                    stderr=stderr,
+                    **options,
+                )
+            finally:
+                os.close(writing)
+            self.refused = pipe.read().decode()
+
+    def living(self) -> set[psutil.Process]:
+        """Every process of the command that is known to live: the descendants, and who has been one before."""
+        found = descendants(psutil.Process())
+        for one in self.seen - found:
+            if is_alive(one):
+                found |= {one, *descendants(one)}
+        self.seen = found
+        return found
+
+    def left_behind(self) -> int:
+        """How many processes are still there beside the first one."""
+        if sys.platform == "win32":
+            self.seen |= children_of_ended(self.process.pid)
+        return sum(one.pid != self.process.pid for one in self.living())
+
+    def end(self) -> None:
+        """Ends them all."""
+        if sys.platform != "win32":
+            try:
+                os.killpg(self.process.pid, signal.SIGKILL)
+            except (ProcessLookupError, PermissionError):
+                pass
+        for _ in range(500):
+            found = self.living()
+            if not found:
+                break
+            kill_all(found)
+            self.process.poll()
+            time.sleep(POLL / 5)
 
 
 class Watch:
@@ -145,18 +134,21 @@ class Watch:
         signal.signal(signal.SIGINT, self.stop)
 
     def stop(self, number: int, frame: object) -> None:
+        """The harness ends the run."""
         self.stopped = True
 
-    def look(self) -> None:
+    def look(self, command: Command) -> None:
+        """Looks at what is due: time at each call, the rest now and then."""
         now = time.monotonic()
-        if self.stopped:
+        if self.stopped or self.parent_is_gone():
             self.word = "stopped"
         elif now - self.started > self.config["seconds"]:
             self.word = "hang"
         if now - self.looked > LOOK:
             self.looked = now
-            found = descendants()
-            self.peak = max(self.peak, sum(found.values()))
+            found = command.living()
+            memory = sum(resident_bytes(one) for one in found)
+            self.peak = max(self.peak, memory)
             own = WALL_PROCESSES if self.config["walled"] else 0
             if len(found) > self.config["processes"] + own:
                 self.word = "forks"
@@ -167,87 +159,75 @@ class Watch:
             self.measure()
 
     def measure(self) -> None:
-        if size_of(Path(self.config["watch"])) >= self.config["bytes"]:
+        """Looks at how much was written and printed."""
+        files = (Path(self.config["stdout"]), Path(self.config["stderr"]))
+        written = size_of(Path(self.config["watch"]))
+        printed = max(file.stat().st_size for file in files)
+        if max(written, printed) >= self.config["bytes"]:
             self.word = "too much output"
 
-
-def reap() -> None:
-    """Takes note of children that have ended."""
-    try:
-        while os.waitpid(-1, os.WNOHANG)[0] != 0:
-            pass
-    except ChildProcessError:
-        pass
-
-
-def end_all(child: int) -> int:
-    """Kills whatever the command started; returns how many there were."""
-    ended: set[int] = set()
-    try:
-        os.killpg(child, signal.SIGKILL)
-    except (ProcessLookupError, PermissionError):
-        pass
-    for _ in range(500):
-        found = descendants()
-        if not found:
-            break
-        ended |= set(found)
-        for number in (signal.SIGSTOP, signal.SIGKILL):
-            for process in found:
-                try:
-                    os.kill(process, number)
-                except (ProcessLookupError, PermissionError):
-                    continue
-        reap()
-        time.sleep(POLL / 5)
-    return len(ended)
+    def parent_is_gone(self) -> bool:
+        """Whether the harness has ended."""
+        parent: int = self.config["parent"]
+        if sys.platform != "win32":
+            gone = os.getppid() != parent
+        else:
+            gone = not psutil.pid_exists(parent)
+        return gone
 
 
 def supervise(config: dict[str, Any]) -> dict[str, Any]:
     """Runs the command to its end; returns what there is to tell."""
-    prctl(PR_SET_CHILD_SUBREAPER, 1)
+    if sys.platform != "win32":
+        adopt_orphans()
     watch = Watch(config)
-    prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
-    if os.getppid() != config["parent"]:
-        watch.stop(signal.SIGTERM, None)  # the parent died meanwhile
-    reading, writing = os.pipe()
-    child = os.fork()
-    if child == 0:
-        os.close(reading)
-        become(config, writing)
-    os.close(writing)
-    with os.fdopen(reading, "rb") as pipe:
-        problem = pipe.read().decode()
-    status: int | None = None
-    while not watch.word:
-        ended, raw = os.waitpid(child, os.WNOHANG)
-        if ended:
-            status = os.waitstatus_to_exitcode(raw)
-            break
+    told: dict[str, Any] = {
+        "word": "",
+        "status": None,
+        "seconds": 0.0,
+        "peak": 0,
+        "left": 0,
+        "refused": "",
+        "start_error": 0,
+        "start_reason": "",
+    }
+    try:
+        command = Command(config)
+    except OSError as error:
+        reason = {
+            "start_error": error.errno or errno.EINVAL,
+            "start_reason": error.strerror,
+        }
+        return told | reason
+    except ValueError as error:
+        return told | {
+            "start_error": errno.EINVAL,
+            "start_reason": str(error),
+        }
+    while not watch.word and command.process.poll() is None:
         time.sleep(POLL)
-        watch.look()
+        watch.look(command)
     seconds = time.monotonic() - watch.started
-    left = [p for p in descendants() if p != child]
-    end_all(child)
-    reap()
+    status = None if watch.word else command.process.returncode
+    left = command.left_behind()
+    command.end()
     if not watch.word:
         watch.measure()
-    number, _, reason = problem.partition(" ")
-    return {
+    return told | {
         "word": watch.word,
         "status": status,
         "seconds": seconds,
         "peak": watch.peak,
-        "left": len(left),
-        "start_error": int(number) if number else 0,
-        "start_reason": reason,
+        "left": left,
+        "refused": command.refused,
     }
 
 
 def main() -> None:
-    config = json.loads(Path(sys.argv[1]).read_text())
-    report = supervise(config)
-    Path(config["report"]).write_text(json.dumps(report))
+    """Reads what to run, and writes what came of it."""
+    config = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    told = supervise(config)
+    Path(config["report"]).write_text(json.dumps(told), encoding="utf-8")
 
 
 if __name__ == "__main__":

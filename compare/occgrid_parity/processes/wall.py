@@ -112,7 +112,8 @@ def find_wall(wanted: Sandbox, hidden: Sequence[Path] = ()) -> Wall:
     """
     if wanted == "none":
         return replace(NONE, reason="it was not asked for")
-    reason = _problem()
+    on_linux = sys.platform == "linux"
+    reason = _problem() if on_linux else "bubblewrap needs Linux"
     if not reason:
         return Wall(True, hidden=tuple(path.resolve() for path in hidden))
     if wanted == "require":
@@ -123,8 +124,6 @@ def find_wall(wanted: Sandbox, hidden: Sequence[Path] = ()) -> Wall:
 @functools.cache
 def _problem() -> str:
     """Why bubblewrap does not work here; empty where it does."""
-    if sys.platform != "linux":
-        return "bubblewrap needs Linux"
     if shutil.which(BUBBLEWRAP) is None:
         return INSTALL
     command = Wall(True).around(["true"], cwd=Path("/"))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import multiprocessing
 import os
 import queue
@@ -12,12 +11,17 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import suppress
 from types import FrameType
 from typing import TypeVar
 
 import psutil
 
 from occgrid_parity.processes.process_group import Stopped
+from occgrid_parity.processes.process_tree import kill_tree
+
+if sys.platform != "win32":
+    from occgrid_parity.processes.posix_limits import PR_SET_PDEATHSIG, prctl
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -25,7 +29,6 @@ R = TypeVar("R")
 LOOK = 0.1  # seconds between two looks whether to stop
 GRACE = 8.0  # seconds that a process has to end its own children
 TRIES = 2
-PR_SET_PDEATHSIG = 1
 
 
 class WorkerLost(Exception):
@@ -75,12 +78,12 @@ class _Worker:
     """One process."""
 
     def __init__(self) -> None:
-        if hasattr(signal, "pthread_sigmask"):  # Ctrl-C is for the parent
+        if sys.platform != "win32":  # Ctrl-C is for the parent
             signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         self.executor = ProcessPoolExecutor(
             1, multiprocessing.get_context("spawn"), initializer=_prepare
         )
-        self.pid = self.executor.submit(os.getpid).result()
+        self.process = psutil.Process(self.executor.submit(os.getpid).result())
 
     def run(
         self, work: Callable[[T], R], argument: T, stop: threading.Event
@@ -89,34 +92,32 @@ class _Worker:
         while not future.done():
             wait([future], timeout=LOOK)
             if stop.is_set() and not future.done():
-                os.kill(self.pid, signal.SIGTERM)
+                self._stop()
                 wait([future], timeout=GRACE)
                 raise Stopped
         return future.result()
 
+    def _stop(self) -> None:
+        """Asks the process to end its work, and what it has started; Windows cannot ask."""
+        if sys.platform == "win32":
+            kill_tree(self.process)
+        else:
+            with suppress(psutil.NoSuchProcess):
+                self.process.terminate()
+
     def end(self) -> None:
         """Ends the process and whatever it has started."""
-        try:
-            process = psutil.Process(self.pid)
-            tree = [process, *process.children(recursive=True)]
-        except psutil.NoSuchProcess:
-            tree = []
-        for one in tree:
-            try:
-                one.kill()
-            except psutil.NoSuchProcess:
-                continue
+        kill_tree(self.process)
         self.executor.shutdown(wait=True, cancel_futures=True)
 
 
 def _prepare() -> None:
     """In the new process: SIGTERM ends the work at hand; the parent's death ends all."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    if hasattr(signal, "pthread_sigmask"):
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
     signal.signal(signal.SIGTERM, _stop_work)
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+    if sys.platform != "win32":
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+        prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
 def _stop_work(number: int, frame: FrameType | None) -> None:

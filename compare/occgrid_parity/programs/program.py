@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shlex
 import sys
 import tomllib
 from collections.abc import Sequence
@@ -14,6 +13,11 @@ from occgrid_parity.ports.declaration import DECLARATION, Port, expand
 from occgrid_parity.ports.declaration_reader import (
     DeclarationReader,
     PortError,
+)
+from occgrid_parity.programs.command_words import (
+    is_path,
+    join_words,
+    split_words,
 )
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
@@ -101,7 +105,7 @@ def program_from_command(text: str, start: Path, timeout: float) -> Program:
     Raises ValueError where the text is no command.
     """
     try:
-        words = shlex.split(text)
+        words = split_words(text)
     except ValueError as error:
         raise ValueError(f"--run {text!r}: {error}") from error
     if not words:
@@ -113,7 +117,7 @@ def program_from_command(text: str, start: Path, timeout: float) -> Program:
         folder=start,
         timeout=timeout,
         words=text,
-        option=f"--run {shlex.quote(text)}",
+        option=f"--run {join_words([text])}",
     )
 
 
@@ -125,14 +129,15 @@ def _absolute(word: str, start: Path) -> str:
     if "{" in word or word.startswith("-") or not word:
         return word
     path = start / word
-    is_there = path.is_file() or (path.is_dir() and "/" in word)
-    return str(path.absolute()) if is_there or word.startswith("./") else word
+    is_there = path.is_file() or (path.is_dir() and is_path(word))
+    is_here = word.startswith(("./", ".\\"))
+    return str(path.absolute()) if is_there or is_here else word
 
 
 def _name(words: Sequence[str]) -> str:
     """The program's own name, not its interpreter's."""
-    plain = [w for w in words if re.fullmatch(r"[\w./+][\w./+-]*", w)]
-    files = [w for w in plain if "/" in w or "." in Path(w).name]
+    plain = [w for w in words if re.fullmatch(r"[\w./\\:+][\w./\\:+-]*", w)]
+    files = [w for w in plain if is_path(w) or "." in Path(w).name]
     return Path((files or plain or words)[-1 if files else 0]).name
 
 
@@ -167,8 +172,8 @@ def program_from_port(path: Path, timeout: float | None = None) -> Program:
         timeout=timeout or given,
         build=build,
         build_timeout=build_timeout,
-        words=shlex.join(run),
-        option=f"--port {shlex.quote(str(path))}",
+        words=join_words(run),
+        option=f"--port {join_words([str(path)])}",
         probe=probe,
     )
     if program.has("out", "pgm"):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import shlex
 import shutil
 import threading
 from collections.abc import Sequence
@@ -16,6 +15,7 @@ from occgrid_parity.ports.declaration import Port
 from occgrid_parity.ports.probing import run_probe
 from occgrid_parity.processes.limits import Limits, run_limited
 from occgrid_parity.processes.wall import NONE, Wall
+from occgrid_parity.programs.command_words import join_words
 from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
 from occgrid_parity.programs.program import Program
 from occgrid_parity.suite.cases import Case
@@ -111,9 +111,14 @@ class CommandRunner:
                 writable=[self.program.folder],
             )
             if ended.word:
-                message = f"{shlex.join(template)}: {ended.message}"
+                message = f"{join_words(template)}: {ended.message}"
                 return Outcome(
-                    ended.seconds, None, "does not build", message, False
+                    ended.seconds,
+                    None,
+                    "does not build",
+                    message,
+                    False,
+                    ended.notes,
                 )
         return None
 
@@ -141,7 +146,7 @@ class CommandRunner:
             ],
             writable=[out],
         )
-        notes = []
+        notes = [*ended.notes]
         if ended.left:
             one = "a process" if ended.left == 1 else f"{ended.left} processes"
             notes.append(
