@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from occgrid_parity.ports.declaration import Port, expand, read_port
-from occgrid_parity.ports.declaration_reader import PortError
 from occgrid_parity.ports.finding import find_ports
+from occgrid_parity.ports.port_file import PortError
 
 GOOD = {
     "name": '"a"',
@@ -51,14 +51,23 @@ def test_reads_a_declaration(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "reason"),
     [
-        ({"name": None}, "name must be a text"),
+        ({"name": None}, "name is missing"),
+        ({"name": "7"}, "name: expected a text, got a whole number"),
+        ({"name": '""'}, "name: expected a text that is not empty"),
         ({"name": '"a/b"'}, "name 'a/b' does not make a folder's name"),
         ({"name": '".."'}, "name '..' does not make a folder's name"),
-        ({"timeout": "0"}, "timeout must be a number of seconds above 0"),
-        ({"timeout": '"9"'}, "timeout must be a number of seconds above 0"),
-        ({"timeout": None}, "timeout must be a number of seconds above 0"),
-        ({"run": None}, "run must be a command, a list of texts"),
-        ({"run": '"run"'}, "run must be a command, a list of texts"),
+        ({"timeout": "0"}, "timeout: expected a number > 0"),
+        ({"timeout": '"9"'}, "timeout: expected a number, got a text"),
+        ({"timeout": None}, "timeout is missing"),
+        ({"run": None}, "run is missing (a command is a list of texts)"),
+        (
+            {"run": '"run"'},
+            "run: expected a list, got a text (a command is a list of texts)",
+        ),
+        (
+            {"run": "[]"},
+            "run: expected a list that is not empty (a command is a list of texts)",
+        ),
         (
             {"run": '["{mode}", "{out}"]'},
             "run has no argument {scenarios} or {scenario}",
@@ -69,13 +78,28 @@ def test_reads_a_declaration(tmp_path: Path) -> None:
             {"run": '["--mode={mode}", "{out}", "{scenario}"]'},
             "run: {mode} must be an argument of its own",
         ),
-        ({"build": '["make"]'}, "build must be a command, a list of texts"),
-        ({"needs": '[{command = "x"}]'}, "install must be a text"),
+        (
+            {"build": '["make"]'},
+            "build[0]: expected a list, got a text (a command is a list of texts)",
+        ),
+        (
+            {"build": '[["make", 1]]'},
+            "build[0][1]: expected a text, got a whole number (a command is a list of texts)",
+        ),
+        ({"needs": '[{command = "x"}]'}, "needs[0].install is missing"),
+        (
+            {"needs": '[{command = "x", instal = "y"}]'},
+            "unknown key needs[0].instal",
+        ),
+        (
+            {"needs": '[{command = 3, install = "y"}]'},
+            "needs[0].command: expected a text or a list, got a whole number",
+        ),
         ({"tiemout": "9"}, "unknown key tiemout"),
-        ({"log_scans": "0"}, "log_scans must be a whole number above 0"),
+        ({"log_scans": "0"}, "log_scans: expected a whole number >= 1"),
         (
             {"probe_lines": "true"},
-            "probe_lines must be a whole number above 0",
+            "probe_lines: expected a whole number, got true or false",
         ),
     ],
 )

@@ -9,16 +9,20 @@ from __future__ import annotations
 import re
 import struct
 import tempfile
-import tomllib
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
+import msgspec
+
+from occgrid_parity.formats.toml_records import (
+    Count,
+    Table,
+    Text,
+    read_record,
+)
 from occgrid_parity.ports.building import build_port
 from occgrid_parity.ports.declaration import Port, read_port
-from occgrid_parity.ports.declaration_reader import (
-    DeclarationReader,
-    PortError,
-)
+from occgrid_parity.ports.port_file import PortError
 from occgrid_parity.ports.probing import ProbeError, run_probe
 from occgrid_parity.processes.process_group import run_process
 from occgrid_parity.suite.cases import scenario_folder
@@ -30,58 +34,36 @@ DOUBLE = re.compile(r"[0-9a-f]{16}")
 WIDEST_ANSWER = 120
 
 
-@dataclass(frozen=True)
-class StarterFunction:
+class StarterFunction(Table, frozen=True):
     """A function of the exercise; without ``vectors`` only whole maps try it."""
 
-    name: str
-    vectors: str
+    name: Text
+    vectors: str = ""
+
+    def __post_init__(self) -> None:
+        if self.vectors and self.vectors not in FUNCTIONS:
+            raise ValueError(f"there are no vectors {self.vectors}")
 
 
-@dataclass(frozen=True)
-class Starter:
+class Starter(Table, frozen=True):
     """What a starter.toml says."""
 
-    exercise: int
-    title: str
-    scenario: str
-    functions: tuple[StarterFunction, ...]
+    exercise: Count
+    title: Text
+    scenario: Text
+    functions: Annotated[
+        tuple[StarterFunction, ...], msgspec.Meta(min_length=1)
+    ]
+
+    def __post_init__(self) -> None:
+        if not (scenario_folder() / f"{self.scenario}.log").is_file():
+            raise ValueError(f"no scenario is named {self.scenario}")
 
 
 def read_starter(folder: Path) -> Starter | None:
     """The starter in a folder; None where it is none. Raises PortError where its file cannot be used."""
     path = folder / STARTER
-    if not path.is_file():
-        return None
-    try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise PortError(f"{path}: {error}") from error
-    reader = DeclarationReader(path, table)
-    exercise = reader.count("exercise")
-    if exercise is None:
-        raise reader.error("exercise must be a whole number above 0")
-    title, scenario = reader.text("title"), reader.text("scenario")
-    entries = reader.table.pop("functions", None)
-    if not isinstance(entries, list) or not entries:
-        raise reader.error("functions must be tables [[functions]]")
-    functions = tuple(_function(reader, entry) for entry in entries)
-    reader.no_more_keys()
-    if not (scenario_folder() / f"{scenario}.log").is_file():
-        raise reader.error(f"no scenario is named {scenario}")
-    return Starter(exercise, title, scenario, functions)
-
-
-def _function(reader: DeclarationReader, entry: object) -> StarterFunction:
-    inner = DeclarationReader(
-        reader.path, entry if isinstance(entry, dict) else {}
-    )
-    vectors = inner.table.pop("vectors", "")
-    if vectors and vectors not in FUNCTIONS:
-        raise reader.error(f"there are no vectors {vectors}")
-    function = StarterFunction(inner.text("name"), str(vectors))
-    inner.no_more_keys()
-    return function
+    return read_record(path, Starter, PortError) if path.is_file() else None
 
 
 def starter_lines(declaration: Path) -> list[str]:

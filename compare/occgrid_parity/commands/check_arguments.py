@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from occgrid_parity.programs.program import DEFAULT_TIMEOUT
+from occgrid_parity.ports.port_file import DEFAULT_TIMEOUT
 
 DEFAULT_OUT = Path("occgrid-parity-check")
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from occgrid_parity.model.worlds import world_of
+from occgrid_parity.ports.port_file import DEFAULT_TIMEOUT
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.program import (
-    DEFAULT_TIMEOUT,
     Program,
     program_from_command,
     program_from_port,

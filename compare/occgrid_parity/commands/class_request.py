@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -106,7 +107,7 @@ def _name(file: Path | None) -> str:
     return "" if file is None else file.name
 
 
-def _cases(file: Path, names: list[str]) -> list[Case]:
+def _cases(file: Path, names: Sequence[str]) -> list[Case]:
     found = [case_from(file.parent / name) for name in names]
     for case in found:
         world_of(case)

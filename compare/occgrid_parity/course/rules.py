@@ -2,45 +2,33 @@
 
 from __future__ import annotations
 
-import re
-import tomllib
 from pathlib import Path
 from typing import Annotated
 
 import msgspec
 
+from occgrid_parity.formats.toml_records import (
+    Count,
+    Positive,
+    SettingsError,
+    Table,
+    read_record,
+)
 from occgrid_parity.processes.wall import Sandbox
 
 RULES = "class.toml"
 STUDENTS_KEYS = ("name", "run", "build", "timeout", "needs", "build_timeout")
 """What a port.toml of a class may say."""
 
-WORDS = {
-    "float": "a number",
-    "int": "a whole number",
-    "str": "a text",
-    "bool": "true or false",
-    "array": "a list",
-    "object": "a table",
-    "null": "nothing",
-}
-"""What msgspec calls the kinds of values, and what a reader of the file calls them."""
-
-Positive = Annotated[float, msgspec.Meta(gt=0)]
-Count = Annotated[int, msgspec.Meta(ge=1)]
 Seed = Annotated[int, msgspec.Meta(ge=0, le=2**32 - 1)]
 Command = Annotated[list[str], msgspec.Meta(min_length=1)]
 
 
-class RulesError(ValueError):
+class RulesError(SettingsError):
     """A class.toml that cannot be used; the text names the file and the key."""
 
 
-class Part(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A table of class.toml. A key that it does not have is an error."""
-
-
-class ProgramRules(Part, frozen=True):
+class ProgramRules(Table, frozen=True):
     """How a submission is built and run.
 
     ``run`` and ``build`` hold for all and go before what a student says. ``allow`` are the keys that a student's
@@ -51,8 +39,8 @@ class ProgramRules(Part, frozen=True):
     run: Command | None = None
     build: list[Command] | None = None
     allow: list[str] | None = None
-    readable: list[str] = []
-    environment: dict[str, str] = {}
+    readable: tuple[str, ...] = ()
+    environment: dict[str, str] = msgspec.field(default_factory=dict)
 
     @property
     def allowed(self) -> tuple[str, ...]:
@@ -65,7 +53,7 @@ class ProgramRules(Part, frozen=True):
         return tuple(key for key in STUDENTS_KEYS if key not in given)
 
 
-class LimitRules(Part, frozen=True):
+class LimitRules(Table, frozen=True):
     """What one run may use, one build, and one submission. None: the command line's."""
 
     seconds: Positive | None = None
@@ -76,7 +64,7 @@ class LimitRules(Part, frozen=True):
     submission_mib: Count = 64
 
 
-class CheckRules(Part, frozen=True):
+class CheckRules(Table, frozen=True):
     """What is mapped beside the levels of the suite.
 
     ``scenarios`` are files of the instructor, from the folder of class.toml on; ``hidden`` are such files of which a
@@ -85,13 +73,13 @@ class CheckRules(Part, frozen=True):
     """
 
     suite: bool = True
-    scenarios: list[str] = []
-    hidden: list[str] = []
-    seeds: list[Seed] = []
+    scenarios: tuple[str, ...] = ()
+    hidden: tuple[str, ...] = ()
+    seeds: tuple[Seed, ...] = ()
     explain: bool = True
 
 
-class Rules(Part, frozen=True):
+class Rules(Table, frozen=True):
     """A whole class.toml.
 
     ``assignment`` is its name in a gradebook. ``points`` are those of a level, by its name; without the table each
@@ -103,7 +91,7 @@ class Rules(Part, frozen=True):
     program: ProgramRules = ProgramRules()
     limits: LimitRules = LimitRules()
     check: CheckRules = CheckRules()
-    points: dict[str, float] = {}
+    points: dict[str, float] = msgspec.field(default_factory=dict)
 
     def points_of(self, level: str) -> float:
         """What a level is worth."""
@@ -115,16 +103,7 @@ NO_RULES = Rules()
 
 def read_rules(path: Path) -> Rules:
     """The rules in a file. Raises RulesError where it cannot be used."""
-    try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise RulesError(f"{path}: {error.strerror}") from error
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise RulesError(f"{path}: {error}") from error
-    try:
-        rules = msgspec.convert(table, Rules)
-    except msgspec.ValidationError as error:
-        raise RulesError(f"{path}: {_plain(str(error))}") from error
+    rules = read_record(path, Rules, RulesError)
     for level, points in rules.points.items():
         if not points >= 0:
             raise RulesError(f"{path}: points.{level}: expected a number >= 0")
@@ -154,21 +133,3 @@ def read_rules(path: Path) -> Rules:
             f"{path}: check.suite: without it there must be check.scenarios or check.hidden"
         )
     return rules
-
-
-def _plain(said: str) -> str:
-    """An error of msgspec with the key first."""
-    match = re.fullmatch(r"(.*?) - at `(?:key in )?\$\.?(.*)`", said)
-    if match is None:
-        unknown = re.fullmatch(
-            r"Object contains unknown field `(.*)`( - at `\$`)?", said
-        )
-        return f"unknown key {unknown[1]}" if unknown else said
-    what, key = match.groups()
-    unknown = re.fullmatch(r"Object contains unknown field `(.*)`", what)
-    if unknown:
-        key = f"{key}." if key else ""
-        return f"unknown key {key}{unknown[1]}"
-    for word, plain in WORDS.items():
-        what = re.sub(rf"`{word}( \| null)?`", plain, what)
-    return f"{key}: {what[0].lower()}{what[1:]}"

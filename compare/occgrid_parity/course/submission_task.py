@@ -34,8 +34,7 @@ from occgrid_parity.course.verdict_merging import (
     merged,
     one_level,
 )
-from occgrid_parity.ports.declaration import DECLARATION
-from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.ports.port_file import DECLARATION, PortError
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.processes.process_group import Stopped
 from occgrid_parity.processes.wall import Sandbox, Wall, find_wall
@@ -178,9 +177,7 @@ def _verdict(
     runner = CommandRunner(program, folder / "runs", limits, wall=wall)
     problem = runner.build()
     if problem is not None:
-        verdict = broken(
-            runner, problem.word, problem.message, problem.notes
-        )
+        verdict = broken(runner, problem.word, problem.message, problem.notes)
     else:
         verdict = _levels(runner, wanted, save, maps)
     notes = [

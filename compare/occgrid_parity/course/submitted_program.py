@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import tomllib
+from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
 
 from occgrid_parity.course.rules import ProgramRules
-from occgrid_parity.ports.declaration import DECLARATION
-from occgrid_parity.ports.declaration_reader import (
-    DeclarationReader,
-    Need,
+from occgrid_parity.formats.toml_records import read_toml
+from occgrid_parity.ports.port_file import (
+    DECLARATION,
+    DEFAULT_TIMEOUT,
+    NeedsFile,
     PortError,
+    read_port_file,
 )
 from occgrid_parity.programs.command_words import join_words
-from occgrid_parity.programs.program import (
-    DEFAULT_TIMEOUT,
-    Program,
-    program_from_port,
-)
+from occgrid_parity.programs.program import Program, program_from_port
 
 DECIDED = ("build_timeout",)
 """Keys of a port.toml that never count in a class."""
@@ -38,12 +36,12 @@ def submitted_program(
     """
     file = folder / DECLARATION
     notes: list[str] = []
-    missing = [need.install for need in _needs(file) if need.is_missing()]
+    missing = file.is_file() and read_port_file(file, NeedsFile).missing
     if missing:
-        raise ToolMissing(f"install {', '.join(missing)}")
+        raise ToolMissing(f"install {missing}")
     if given.run is None:
         program = program_from_port(file, timeout)
-        keys = _keys(file)
+        keys = read_toml(file, PortError)
         allowed = [key for key in given.allowed if key not in DECIDED]
         notes += _ignored(keys, allowed)
         if "run" not in allowed:
@@ -71,7 +69,7 @@ def submitted_program(
                 command=tuple(_in_folder(word, folder) for word in given.run),
             )
         if file.is_file():
-            keys = _keys(file)
+            keys = read_toml(file, PortError)
             notes += _ignored(keys, [k for k in given.allowed if k != "run"])
             if "build" in given.allowed and "build" in keys:
                 own = program_from_port(file)
@@ -85,24 +83,7 @@ def submitted_program(
     )
 
 
-def _needs(file: Path) -> tuple[Need, ...]:
-    if not file.is_file():
-        return ()
-    return DeclarationReader(file, _table(file)).needs()
-
-
-def _keys(file: Path) -> list[str]:
-    return list(_table(file))
-
-
-def _table(file: Path) -> dict[str, object]:
-    try:
-        return tomllib.loads(file.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise PortError(f"{file}: {error}") from error
-
-
-def _ignored(keys: list[str], allowed: list[str]) -> list[str]:
+def _ignored(keys: Iterable[str], allowed: list[str]) -> list[str]:
     return [
         f"{key} in {DECLARATION} does not count: the instructor decides it"
         for key in keys

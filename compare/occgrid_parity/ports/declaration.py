@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import re
 import sys
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from occgrid_parity.ports.declaration_reader import (
-    DeclarationReader,
-    Need,
-    PortError,
-)
+import msgspec
 
-DECLARATION = "port.toml"
-NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.-]*")
+from occgrid_parity.ports.port_file import (
+    BUILD_TIMEOUT,
+    Need,
+    PortFile,
+    read_port_file,
+)
 
 
 @dataclass(frozen=True)
@@ -39,7 +37,7 @@ class Port:
     version: tuple[str, ...] = ()
     probe: tuple[str, ...] = ()
     needs: tuple[Need, ...] = ()
-    build_timeout: float = 900.0
+    build_timeout: float = BUILD_TIMEOUT
     log_scans: int | None = None
     plain_scans: int | None = None
     scenarios_at_once: int | None = None
@@ -93,33 +91,6 @@ def expand(
 
 def read_port(path: Path) -> Port:
     """The port that the file declares. Raises PortError where it cannot be used."""
-    try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise PortError(f"{path}: {error}") from error
-    reader = DeclarationReader(path, table)
-    port = Port(
-        name=reader.text("name"),
-        language=reader.text("language"),
-        folder=path.resolve().parent,
-        run=reader.command("run", required=True),
-        timeout=reader.seconds("timeout"),
-        build=reader.commands("build"),
-        version=reader.command("version"),
-        probe=reader.command("probe"),
-        needs=reader.needs(),
-        build_timeout=reader.seconds("build_timeout", Port.build_timeout),
-        log_scans=reader.count("log_scans"),
-        plain_scans=reader.count("plain_scans"),
-        scenarios_at_once=reader.count("scenarios_at_once"),
-        probe_lines=reader.count("probe_lines"),
-    )
-    reader.no_more_keys()
-    if not NAME.fullmatch(port.name):
-        raise reader.error(f"name {port.name!r} does not make a folder's name")
-    if not any(word in port.run for word in ("{scenario}", "{scenarios}")):
-        raise reader.error("run has no argument {scenarios} or {scenario}")
-    for word in ("{mode}", "{out}"):
-        if not any(word in argument for argument in port.run):
-            raise reader.error(f"run has no {word}")
-    return port
+    file = read_port_file(path, PortFile)
+    keys = msgspec.structs.asdict(file)
+    return Port(folder=path.resolve().parent, **keys)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from occgrid_parity.ports.declaration import DECLARATION, Port, read_port
-from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.ports.declaration import Port, read_port
+from occgrid_parity.ports.port_file import DECLARATION, PortError
 
 
 def find_ports(root: Path) -> list[Port]:

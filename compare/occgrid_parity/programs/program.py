@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import re
 import sys
-import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from occgrid_parity.ports.declaration import DECLARATION, Port, expand
-from occgrid_parity.ports.declaration_reader import (
-    DeclarationReader,
+from occgrid_parity.ports.declaration import expand
+from occgrid_parity.ports.port_file import (
+    BUILD_TIMEOUT,
+    DECLARATION,
+    DEFAULT_TIMEOUT,
     PortError,
+    ProgramFile,
+    read_port_file,
 )
 from occgrid_parity.programs.command_words import (
     is_path,
@@ -20,8 +23,6 @@ from occgrid_parity.programs.command_words import (
     split_words,
 )
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
-
-DEFAULT_TIMEOUT = 60.0
 
 
 @dataclass(frozen=True)
@@ -39,7 +40,7 @@ class Program:
     cwd: Path | None = None
     timeout: float = DEFAULT_TIMEOUT
     build: tuple[tuple[str, ...], ...] = ()
-    build_timeout: float = 900.0
+    build_timeout: float = BUILD_TIMEOUT
     words: str = ""
     option: str = ""
     probe: tuple[str, ...] = ()
@@ -149,34 +150,22 @@ def program_from_port(path: Path, timeout: float | None = None) -> Program:
     """
     if path.is_dir():
         path = path / DECLARATION
-    try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise PortError(f"{path}: {error}") from error
     folder = path.resolve().parent
-    reader = DeclarationReader(path, table)
-    needs = reader.needs()
-    run = reader.command("run", required=True)
-    build = reader.commands("build")
-    probe = reader.command("probe")
-    given = reader.seconds("timeout", DEFAULT_TIMEOUT)
-    build_timeout = reader.seconds("build_timeout", Port.build_timeout)
-    name = table.get("name", folder.name)
-    missing = [n.install for n in needs if n.is_missing()]
-    if missing:
-        raise PortError(f"{path}: install {', '.join(missing)}")
+    file = read_port_file(path, ProgramFile)
+    if file.missing:
+        raise PortError(f"{path}: install {file.missing}")
     program = Program(
-        name=str(name),
-        command=run,
+        name=file.name or folder.name,
+        command=file.run,
         folder=folder,
-        timeout=timeout or given,
-        build=build,
-        build_timeout=build_timeout,
-        words=join_words(run),
+        timeout=timeout or file.timeout,
+        build=file.build,
+        build_timeout=file.build_timeout,
+        words=join_words(file.run),
         option=f"--port {join_words([str(path)])}",
-        probe=probe,
+        probe=file.probe,
     )
     if program.has("out", "pgm"):
         return replace(program, cwd=folder)
-    command = tuple(_absolute(word, folder) for word in run)
+    command = tuple(_absolute(word, folder) for word in file.run)
     return replace(program, command=command)

@@ -13,7 +13,7 @@ from occgrid_parity.course.class_store import SUBMISSIONS
 from occgrid_parity.course.rules import RulesError, read_rules
 from occgrid_parity.course.submission_task import Wanted
 from occgrid_parity.course.submitted_program import submitted_program
-from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.ports.port_file import PortError
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.processes.progress import Silent
 from occgrid_parity.suite.cases import Case, scenario_folder
@@ -39,7 +39,7 @@ def rules_file(folder: Path, text: str) -> Path:
         ("[limits]\nseconds = 'x'", "limits.seconds: expected a number, got a text"),
         ("[limits]\nseconds = 0", "limits.seconds: expected a number > 0"),
         ("[program]\nrun = 'x'", "program.run: expected a list"),
-        ("[program]\nrun = []", "program.run: expected a list of length >= 1"),
+        ("[program]\nrun = []", "program.run: expected a list that is not empty"),
         ("[program]\nallow = ['x']", "program.allow: x is not a key"),
         ("[program]\nreadable = ['x']", "program.readable: x must be the full"),
         ("[check]\nseeds = [-1]", "check.seeds[0]: expected a whole number >= 0"),

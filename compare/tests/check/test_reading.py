@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from occgrid_parity.ports.declaration_reader import PortError
+from occgrid_parity.ports.port_file import PortError
 from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
 from occgrid_parity.programs.program import (
     program_from_command,
@@ -168,5 +168,5 @@ def test_a_students_port_toml_needs_only_the_command(tmp_path: Path) -> None:
     program = program_from_port(tmp_path)
     assert (program.cwd, program.timeout) == (tmp_path, 3.0)
     (tmp_path / "port.toml").write_text("run = 3\n")
-    with pytest.raises(PortError, match="run must be a command"):
+    with pytest.raises(PortError, match="run: expected a list"):
         program_from_port(tmp_path)
