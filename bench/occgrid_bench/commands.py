@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from occgrid_bench.folders import PROGRAMS, ROOT
-from occgrid_parity.ports.declaration import DECLARATION, Port, read_port
+from occgrid_parity.ports.declaration import Port, read_port
+from occgrid_parity.ports.port_file import DECLARATION
 
 
 @dataclass(frozen=True)
