@@ -9,6 +9,11 @@ from pathlib import Path
 
 import pytest
 
+from occgrid_parity.campaign.random_scenarios import (
+    KINDS,
+    kind_of,
+    scenario_text,
+)
 from occgrid_parity.compare.matrix_run import Plan, run
 from occgrid_parity.compare.run_record import RunRecord
 from occgrid_parity.ports.building import Built
@@ -18,7 +23,6 @@ from occgrid_parity.suite.modes import Mode
 from occgrid_parity.suite.scenarios import scenario_from
 
 from .conftest import JOBS, PORTS
-from .random_scenarios import KINDS, kind_of, scenario_text
 
 COUNT = 6 * len(KINDS)
 MODE = Mode(4294967295)

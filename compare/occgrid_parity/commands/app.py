@@ -8,6 +8,7 @@ import typer
 
 from occgrid import __version__
 from occgrid_parity.commands.build_command import build_command
+from occgrid_parity.commands.campaign_command import campaign_command
 from occgrid_parity.commands.check_command import check_command
 from occgrid_parity.commands.golden_command import golden_command
 from occgrid_parity.commands.mistakes_command import mistakes_command
@@ -25,6 +26,7 @@ app.command("check")(check_command)
 app.command("mistakes")(mistakes_command)
 app.command("build")(build_command)
 app.command("run")(run_command)
+app.command("campaign")(campaign_command)
 app.command("golden")(golden_command)
 app.command("scenario")(scenario_command)
 

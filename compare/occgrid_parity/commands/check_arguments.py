@@ -193,6 +193,6 @@ Scheduler = Annotated[
     typer.Option(
         "--scheduler",
         metavar="ADDRESS",
-        help="With --class: a Dask cluster that does the work, such as tcp://host:8786.",
+        help="A Dask cluster that does the work (of check: with --class), such as tcp://host:8786.",
     ),
 ]

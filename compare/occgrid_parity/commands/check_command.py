@@ -42,9 +42,9 @@ from occgrid_parity.commands.class_check_run import run_class_check
 from occgrid_parity.commands.class_request import class_request
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.program_check_run import run_program_check
-from occgrid_parity.course.cluster import NoCluster
 from occgrid_parity.model.reference import golden_problem
 from occgrid_parity.ports.port_file import DEFAULT_TIMEOUT
+from occgrid_parity.processes.cluster import NoCluster
 from occgrid_parity.processes.limits import MEBI, Limits
 from occgrid_parity.processes.wall import NoWall
 from occgrid_parity.suite.cases import LESSON

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
+import threading
+from functools import partial
 from pathlib import Path
-from types import FrameType
 
 from rich.console import Console
 
 from occgrid_parity.commands.class_request import ClassRequest
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.console_progress import ConsoleProgress
+from occgrid_parity.commands.interruption import Interrupted, interruptible
 from occgrid_parity.course.class_run import ClassPlan, ClassRun
 from occgrid_parity.course.class_summary import MISTAKES, SUMMARY
 from occgrid_parity.course.gradebook import CANVAS, MOODLE
+from occgrid_parity.course.submission_task import (
+    Checked,
+    Task,
+    check_task,
+    needs_another_machine,
+)
+from occgrid_parity.processes.cluster import Cluster
 from occgrid_parity.report.run_page import PAGE_FILE
-
-
-class Interrupted(KeyboardInterrupt):
-    """A signal asks for the end; ``number`` says which."""
-
-    def __init__(self, number: int) -> None:
-        super().__init__()
-        self.number = number
 
 
 def run_class_check(
@@ -49,7 +47,7 @@ def run_class_check(
             else:
                 cluster = request.cluster
                 print_plain(console, f"dashboard: {cluster.dashboard}")
-                found = run.check(cluster.run, cluster.jobs)
+                found = run.check(partial(check_on, cluster), cluster.jobs)
     except Interrupted as interrupted:
         print_plain(
             console,
@@ -79,19 +77,6 @@ def run_class_check(
     return 0 if found and good == len(found) else 1
 
 
-@contextmanager
-def interruptible() -> Iterator[None]:
-    """Ctrl-C and SIGTERM raise Interrupted once; from then on they are ignored, so that the end is in order."""
-    numbers = (signal.SIGINT, signal.SIGTERM)
-
-    def interrupt(number: int, frame: FrameType | None) -> None:
-        for one in numbers:
-            signal.signal(one, signal.SIG_IGN)
-        raise Interrupted(number)
-
-    before = [signal.signal(number, interrupt) for number in numbers]
-    try:
-        yield
-    finally:
-        for number, handler in zip(numbers, before, strict=True):
-            signal.signal(number, handler)
+def check_on(cluster: Cluster, task: Task, stop: threading.Event) -> Checked:
+    """Checks a submission on a machine of the cluster, on another one where that lacks what the submission needs."""
+    return cluster.run(check_task, task, stop, needs_another_machine)

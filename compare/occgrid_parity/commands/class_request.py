@@ -8,7 +8,6 @@ from pathlib import Path
 
 from occgrid_parity.check.levels import FILE, LEVELS, ORIENTATION, RUNS
 from occgrid_parity.commands.check_request import CheckRequest
-from occgrid_parity.course.cluster import Cluster
 from occgrid_parity.course.gradebook import Roster, read_roster
 from occgrid_parity.course.rules import (
     NO_RULES,
@@ -19,6 +18,7 @@ from occgrid_parity.course.rules import (
 )
 from occgrid_parity.course.submission_task import SEEDED, Wanted
 from occgrid_parity.model.worlds import world_of
+from occgrid_parity.processes.cluster import Cluster
 from occgrid_parity.processes.limits import MEBI, Limits
 from occgrid_parity.processes.wall import Sandbox, find_wall
 from occgrid_parity.suite.cases import Case, case_from
@@ -52,7 +52,7 @@ def class_request(
 
     Raises RulesError, RosterError, OSError or occgrid.scenario.ScenarioError where a file cannot be used,
     occgrid_parity.processes.wall.NoWall where a wall is required and does not work, and
-    occgrid_parity.course.cluster.NoCluster where there is none.
+    occgrid_parity.processes.cluster.NoCluster where there is none.
     """
     file = rules_file or folder / RULES
     is_there = rules_file is not None or file.exists()

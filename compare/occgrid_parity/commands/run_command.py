@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 from rich.console import Console
 
+from occgrid_parity.commands.check_arguments import Scheduler
 from occgrid_parity.commands.console import (
     Jobs,
     Root,
@@ -17,6 +18,7 @@ from occgrid_parity.commands.console import (
     wrong_usage,
 )
 from occgrid_parity.commands.console_progress import ConsoleProgress
+from occgrid_parity.compare.far_mapping import FarPorts
 from occgrid_parity.compare.matrix_run import (
     REFERENCE,
     Plan,
@@ -24,9 +26,11 @@ from occgrid_parity.compare.matrix_run import (
     run,
 )
 from occgrid_parity.compare.run_record import RunRecord, to_json
+from occgrid_parity.formats.archive import ArchiveError
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.ports.building import as_it_is
 from occgrid_parity.ports.finding import choose_ports
+from occgrid_parity.processes.cluster import Cluster, NoCluster
 from occgrid_parity.report.junit import junit_xml
 from occgrid_parity.report.run_page import write_page
 from occgrid_parity.report.run_table import (
@@ -90,6 +94,7 @@ def run_command(
         bool,
         typer.Option(help="A port whose tools are missing is no failure."),
     ] = False,
+    scheduler: Scheduler = None,
 ) -> None:
     """Map scenarios with the ports and compare the maps, bit for bit.
 
@@ -109,21 +114,32 @@ def run_command(
         chosen_scenarios = choose_scenarios(found, scenarios or [])
         chosen_modes = list(dict.fromkeys(map(parse_mode, modes or [])))
         prepare_folder(folder)
-    except (OSError, ValueError) as error:
+        cluster = None if scheduler is None else Cluster(scheduler)
+        far = None if cluster is None else FarPorts(cluster, chosen)
+    except (OSError, ValueError, NoCluster, ArchiveError) as error:
         raise wrong_usage(error) from error
     with ConsoleProgress(console) as progress:
-        record = run(
-            Plan(
-                ports=chosen,
-                scenarios=chosen_scenarios,
-                modes=chosen_modes or PORT_MODES,
-                folder=folder,
-                golden=found / "scenarios" / "golden",
-                jobs=jobs,
-                built=None if build_first else list(map(as_it_is, chosen)),
-                progress=progress,
-            )
+        plan = Plan(
+            ports=chosen,
+            scenarios=chosen_scenarios,
+            modes=chosen_modes or PORT_MODES,
+            folder=folder,
+            golden=found / "scenarios" / "golden",
+            jobs=jobs,
+            built=None if build_first else list(map(as_it_is, chosen)),
+            progress=progress,
         )
+        if cluster is not None and far is not None:
+            print_plain(console, f"dashboard: {cluster.dashboard}")
+            plan = replace(
+                plan,
+                jobs=cluster.jobs,
+                built=far.build(progress),
+                map_batch=far.map_batch,
+            )
+        record = run(plan)
+    if cluster is not None:
+        cluster.close()
     write_copies(record, json_file, junit)
     page = None if report is None else write_page(record, folder, report)
     show(console, record, folder, page)

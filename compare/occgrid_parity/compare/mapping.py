@@ -7,6 +7,7 @@ import threading
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.process_group import Finished, run_process
@@ -23,6 +24,20 @@ class Mapped:
     scenarios: tuple[ScenarioFile, ...]
     folder: Path
     finished: Finished
+
+
+class MapBatch(Protocol):
+    """Maps a batch of scenarios as ``map_batch`` does."""
+
+    def __call__(
+        self,
+        port: Port,
+        mode: Mode,
+        batch: Sequence[ScenarioFile],
+        folder: Path,
+        stop: threading.Event,
+    ) -> list[Mapped]:
+        """The processes that mapped them; their files are in ``folder``."""
 
 
 def left_out(port: Port, scenario: ScenarioFile, mode: Mode) -> str | None:

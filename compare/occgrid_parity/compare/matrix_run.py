@@ -11,7 +11,12 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 
-from occgrid_parity.compare.mapping import Mapped, batches, map_batch
+from occgrid_parity.compare.mapping import (
+    MapBatch,
+    Mapped,
+    batches,
+    map_batch,
+)
 from occgrid_parity.compare.run_record import (
     RECORD_FILE,
     SCHEMA,
@@ -39,7 +44,7 @@ class Plan:
     """What a run is to do.
 
     ``golden`` is the folder of the committed results. With ``built``, which has every
-    port of ``ports``, nothing is built.
+    port of ``ports``, nothing is built. ``map_batch`` maps scenarios, here or elsewhere.
     """
 
     ports: Sequence[Port]
@@ -51,6 +56,7 @@ class Plan:
     built: Sequence[Built] | None = None
     reference: str = REFERENCE
     progress: Progress = field(default_factory=Silent)
+    map_batch: MapBatch = map_batch
 
 
 def prepare_folder(folder: Path) -> None:
@@ -133,7 +139,7 @@ def _map_all(plan: Plan, ports: Sequence[Port]) -> list[Mapped]:
         item: tuple[Port, Mode, list[ScenarioFile]], stop: threading.Event
     ) -> list[Mapped]:
         port, mode, batch = item
-        mapped = map_batch(
+        mapped = plan.map_batch(
             port, mode, batch, plan.folder / port.name / mode.name, stop
         )
         what = batch[0].name if len(batch) == 1 else f"{len(batch)} scenarios"

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from occgrid_parity.course.archive import NOTHING, ArchiveError, pack
 from occgrid_parity.course.class_page import write_class_page
 from occgrid_parity.course.class_store import ClassStore, suite_version
 from occgrid_parity.course.class_summary import (
@@ -33,6 +32,7 @@ from occgrid_parity.course.submission_task import (
     check_task,
     handed_out_unrun,
 )
+from occgrid_parity.formats.archive import NOTHING, ArchiveError, pack
 from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.progress import Progress
 from occgrid_parity.processes.wall import find_wall

@@ -21,7 +21,6 @@ from occgrid_parity.check.verdict import (
 )
 from occgrid_parity.check.verdict_text import verdict_text
 from occgrid_parity.check.whole_check import check
-from occgrid_parity.course.archive import Archive, unpack
 from occgrid_parity.course.points import results_json, score
 from occgrid_parity.course.rules import Rules
 from occgrid_parity.course.submitted_program import (
@@ -34,6 +33,7 @@ from occgrid_parity.course.verdict_merging import (
     merged,
     one_level,
 )
+from occgrid_parity.formats.archive import Archive, unpack
 from occgrid_parity.ports.port_file import DECLARATION, PortError
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.processes.process_group import Stopped
@@ -137,6 +137,11 @@ def check_task(task: Task) -> Checked:
             said = f"{type(error).__name__}: {error}"
             verdict = without_run(task.name, "harness error", said)
         return handed_out(task, verdict, maps, folder)
+
+
+def needs_another_machine(checked: Checked) -> bool:
+    """Whether the machine lacks what the submission needs."""
+    return checked.word == SKIPPED
 
 
 def handed_out_unrun(task: Task, word: str, message: str) -> Checked:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -27,6 +28,15 @@ def find_ports(root: Path) -> list[Port]:
                 f"{' and '.join(twins)}: both ports are named {port.name}"
             )
     return sorted(ports, key=lambda port: (port.name != "python", port.name))
+
+
+def is_program(folder: Path) -> bool:
+    """Whether a folder holds a program that is no port: its port.toml does not say the language."""
+    try:
+        text = (folder / DECLARATION).read_text(encoding="utf-8")
+        return "language" not in tomllib.loads(text)
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError):
+        return False
 
 
 def choose_ports(root: Path, words: Sequence[str]) -> list[Port]:

@@ -3,57 +3,25 @@
 from __future__ import annotations
 
 import csv
-import json
 import re
 import subprocess
-import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import psutil
 import pytest
 
 from ..check_helpers import PROGRAMS
+from ..loopback_cluster import PYTHON, kill_at_work, loopback_cluster
 
 pytestmark = pytest.mark.long
-
-distributed: Any = pytest.importorskip("distributed")
-
-PYTHON = [sys.executable, "-m"]
 
 
 @pytest.fixture
 def cluster(tmp_path: Path) -> Iterator[tuple[str, list[Any]]]:
-    """The address of a scheduler, and its two workers, each in a folder of its own."""
-    file = tmp_path / "scheduler.json"
-    command = [
-        *PYTHON, "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
-        "--scheduler-file", str(file),
-    ]  # fmt: skip
-    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    started: list[Any] = [subprocess.Popen(command, **quiet)]  # type: ignore[call-overload]
-    try:
-        deadline = time.monotonic() + 90
-        while not file.is_file() and time.monotonic() < deadline:
-            time.sleep(0.1)
-        address = json.loads(file.read_text())["address"]
-        for number in range(2):
-            place = tmp_path / f"worker-{number}"
-            place.mkdir()
-            command = [
-                *PYTHON, "distributed.cli.dask_worker", address, "--no-nanny", "--nthreads", "1",
-                "--no-dashboard", "--local-directory", str(place),
-            ]  # fmt: skip
-            started.append(subprocess.Popen(command, cwd=place, **quiet))  # type: ignore[call-overload]
-        with distributed.Client(address, set_as_default=False) as client:
-            client.wait_for_workers(2, timeout=90)
-        yield address, started[1:]
-    finally:
-        for process in started:
-            process.kill()
-            process.wait()
+    """The address of a scheduler, and its two workers."""
+    with loopback_cluster(tmp_path) as found:
+        yield found
 
 
 def check(folder: Path, out: str, *options: str) -> str:
@@ -106,12 +74,7 @@ def test_a_killed_worker_changes_nothing(
         text=True,
         stdout=subprocess.PIPE,
     )  # fmt: skip
-    victim = psutil.Process(workers[0].pid)
-    deadline = time.monotonic() + 90
-    while not victim.children(recursive=True):
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
-    victim.kill()
+    kill_at_work(workers[0])
     printed, _ = run.communicate(timeout=240)
     assert run.returncode == 1, printed
     assert "dashboard: " in printed

@@ -40,6 +40,7 @@ static double number(const char *text) {
 }
 
 static double logit(double p) {
+    p = fmin(fmax(p, 1e-9), 1 - 1e-9);
     double l = log(p / (1 - p));
     return is("base-10") ? l / log(10) : l;
 }

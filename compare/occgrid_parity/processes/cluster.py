@@ -1,27 +1,31 @@
-"""A class on many machines: the tasks of the class on a Dask cluster."""
+"""Work on many machines: a Dask cluster, which the extra ``cluster`` reaches."""
 
 from __future__ import annotations
 
 import importlib
 import threading
-from typing import Any
+from collections.abc import Callable
+from concurrent.futures import CancelledError
+from pathlib import Path
+from typing import Any, TypeVar
 
-from occgrid_parity.course.submission_task import (
-    SKIPPED,
-    Checked,
-    Task,
-    check_task,
-)
 from occgrid_parity.processes.process_group import Stopped
 from occgrid_parity.processes.worker_slots import WorkerLost
 
+T = TypeVar("T")
+R = TypeVar("R")
+
 LOOK = 0.2  # seconds between two looks whether to stop
 CONNECT = 30.0
-RETRIES = 3
 
 
 class NoCluster(Exception):
     """There is no cluster at the address, or nothing to reach it with."""
+
+
+def never(result: object) -> bool:
+    """No result is worth a try on another machine."""
+    return False
 
 
 class Cluster:
@@ -50,42 +54,57 @@ class Cluster:
 
     @property
     def jobs(self) -> int:
-        """How many tasks the cluster does at a time, now."""
+        """How many pieces of work the cluster does at a time, now."""
         threads: dict[str, int] = self.client.nthreads()
         return max(1, sum(threads.values()))
 
-    def run(self, task: Task, stop: threading.Event) -> Checked:
-        """Does a task on some machine, on another one where that dies or lacks what the submission needs.
+    def run(
+        self,
+        work: Callable[[T], R],
+        argument: T,
+        stop: threading.Event,
+        elsewhere: Callable[[R], bool] = never,
+    ) -> R:
+        """Does a piece of work on some machine; on another one where that dies, or where ``elsewhere`` says so.
 
         Raises Stopped when ``stop`` is set meanwhile, and WorkerLost where no machine could finish it.
         """
         tried: list[str] = []
-        for _ in range(RETRIES):
-            others = [w for w in self.client.nthreads() if w not in tried]
-            if tried and not others:
-                break
-            where, checked = self._once(task, stop, others if tried else None)
+        others: list[str] | None = None
+        while True:
+            where, result = self._once(work, argument, stop, others)
+            if not elsewhere(result):
+                return result
             tried.append(where)
-            if checked.word != SKIPPED:
-                break
-        return checked
+            others = [w for w in self.client.nthreads() if w not in tried]
+            if not others:
+                return result
 
     def _once(
-        self, task: Task, stop: threading.Event, where: list[str] | None
-    ) -> tuple[str, Checked]:
+        self,
+        work: Callable[[T], R],
+        argument: T,
+        stop: threading.Event,
+        where: list[str] | None,
+    ) -> tuple[str, R]:
         from distributed import KilledWorker
 
         future = self.client.submit(
-            check_there, task, workers=where, pure=False
+            work_there, work, argument, workers=where, pure=False
         )
         while not future.done():
             if stop.wait(LOOK):
                 future.cancel()
                 raise Stopped
+            if where and not set(where) & set(self.client.nthreads()):
+                future.cancel()  # all of these machines are gone
+                return self._once(work, argument, stop, None)
         try:
-            found: tuple[str, Checked] = future.result()
+            found: tuple[str, R] = future.result()
         except KilledWorker as error:
             raise WorkerLost(str(error)) from error
+        except CancelledError as error:
+            raise WorkerLost("the scheduler is gone") from error
         return found
 
     def close(self) -> None:
@@ -93,8 +112,15 @@ class Cluster:
         self.client.close()
 
 
-def check_there(task: Task) -> tuple[str, Checked]:
-    """On a machine of the cluster: its address, and what came of the task."""
+def work_there(work: Callable[[T], R], argument: T) -> tuple[str, R]:
+    """On a machine of the cluster: its address, and what came of the work."""
     from distributed import get_worker
 
-    return str(get_worker().address), check_task(task)
+    return str(get_worker().address), work(argument)
+
+
+def folder_here() -> Path:
+    """On a machine of the cluster: a folder of its own, which lasts as long as the worker."""
+    from distributed import get_worker
+
+    return Path(get_worker().local_directory)

@@ -1,11 +1,11 @@
-"""Random scenarios that use the whole of the contract, each with its emphasis. The same for the same seed."""
+"""Random worlds and logs that use the whole of the contract, each with its emphasis. The same for the same numbers."""
 
 from __future__ import annotations
 
 import math
 import random
 
-# what a scenario is about, by its seed
+# what a scenario is about, by its number
 KINDS = (
     "usual",
     "reversed signs",  # p_free > p0 > p_occ
@@ -19,17 +19,18 @@ KINDS = (
 FARTHEST = 10_000_000.0
 
 
-def kind_of(seed: int) -> str:
-    """What the scenario of this seed is about."""
-    return KINDS[seed % len(KINDS)]
+def kind_of(number: int) -> str:
+    """What the scenario of this number is about."""
+    return KINDS[number % len(KINDS)]
 
 
-def scenario_text(seed: int) -> str:
-    """The scenario of this seed."""
-    return RandomScenario(seed).text()
+def scenario_text(number: int, seed: int = 0) -> str:
+    """The scenario of this number in the series of that seed."""
+    source = random.Random(f"{seed} {number}")
+    return RandomScenario(source, kind_of(number)).text()
 
 
-def number(source: random.Random, low: float, high: float) -> str:
+def decimal(source: random.Random, low: float, high: float) -> str:
     """A number between the limits, written in one of many ways."""
     value = source.uniform(low, high)
     form = source.choice(
@@ -51,9 +52,9 @@ def beside(value: float) -> list[str]:
 class RandomScenario:
     """Draws a scenario: first the grid, then its parameters, walls and scans."""
 
-    def __init__(self, seed: int) -> None:
-        self.source = random.Random(seed)
-        self.kind = kind_of(seed)
+    def __init__(self, source: random.Random, kind: str) -> None:
+        self.source = source
+        self.kind = kind
         choice, randint = self.source.choice, self.source.randint
         self.width, self.height = randint(1, 70), randint(1, 70)
         self.resolution = choice(
@@ -77,6 +78,7 @@ class RandomScenario:
         self.min_range = self.source.uniform(0, self.max_range / 2)
 
     def text(self) -> str:
+        """The scenario as the text of its file."""
         choice, randint = self.source.choice, self.source.randint
         lines = ["# a random scenario", "PARAM robot_width 0.4", ""]
         for name, value in self.parameters():
@@ -115,15 +117,15 @@ class RandomScenario:
             "max_range": repr(self.max_range),
         }
         further = {
-            "p0": number(source, 0.2, 0.8),
-            "p_occ": number(source, 0.4, 0.9999999999),
-            "p_free": number(source, 1e-12, 0.6),
-            "l_min": number(source, -20, -2),
-            "l_max": number(source, 2, 20),
+            "p0": decimal(source, 0.2, 0.8),
+            "p_occ": decimal(source, 0.4, 0.9999999999),
+            "p_free": decimal(source, 1e-12, 0.6),
+            "l_min": decimal(source, -20, -2),
+            "l_max": decimal(source, 2, 20),
             "no_return": source.choice(["free", "ignore"]),
-            "fov": number(source, 0, 6.28),
+            "fov": decimal(source, 0, 6.28),
             "beams": str(source.randint(1, 90)),
-            "noise_std": number(source, 0, 4 * self.resolution),
+            "noise_std": decimal(source, 0, 4 * self.resolution),
             "min_range": repr(self.min_range),
         }
         names = source.sample(sorted(further), source.randint(0, len(further)))
@@ -138,17 +140,17 @@ class RandomScenario:
         source = self.source
         if self.kind == "reversed signs":
             return {
-                "p_occ": number(source, 0.01, 0.25),
-                "p0": number(source, 0.3, 0.6),
-                "p_free": number(source, 0.7, 0.99),
+                "p_occ": decimal(source, 0.01, 0.25),
+                "p0": decimal(source, 0.3, 0.6),
+                "p_free": decimal(source, 0.7, 0.99),
             }
         if self.kind == "prior":
             p0 = source.choice([0.02, 0.1, 0.35, 0.7, 0.9, 0.98])
             odds = math.log(p0 / (1 - p0))
             return {
                 "p0": repr(p0),
-                "l_min": number(source, odds - 2, odds - 0.001),
-                "l_max": number(source, odds + 0.001, odds + 2),
+                "l_min": decimal(source, odds - 2, odds - 0.001),
+                "l_max": decimal(source, odds + 0.001, odds + 2),
             }
         if self.kind == "least range":
             return {"min_range": repr(self.min_range)}
@@ -182,19 +184,19 @@ class RandomScenario:
             at = self.source.randint(-2, cells + 2)
             return self.source.choice(beside(origin + at * self.resolution))
         if self.kind == "limits":  # few scans: each in the grid
-            return number(
+            return decimal(
                 self.source, origin, origin + cells * self.resolution
             )
         low = max(origin - 0.2 * self.extent, -FARTHEST)
         high = min(origin + 1.2 * self.extent, FARTHEST)
-        return number(self.source, low, high)
+        return decimal(self.source, low, high)
 
     def theta(self) -> str:
         if self.kind == "cell edges" and self.source.random() < 0.7:
             return repr(self.source.randint(-4, 4) * math.pi / 4)
         if self.source.random() < 0.3:
-            return number(self.source, -1e6, 1e6)
-        return number(self.source, -1, 1)
+            return decimal(self.source, -1e6, 1e6)
+        return decimal(self.source, -1, 1)
 
     def wall(self) -> list[str]:
         wall = [self.x(), self.y(), self.x(), self.y()]
@@ -225,7 +227,7 @@ class RandomScenario:
             return [kind, str(n), *ranges, *pose, *tail]
         if kind == "ROBOTLASER1":
             m = source.choice([0, 0, n, 3])
-            start, step = number(source, -4, 4), number(source, -0.1, 0.1)
+            start, step = decimal(source, -4, 4), decimal(source, -0.1, 0.1)
             head = ["0", start, "?", step, "?", "?", "#"]
             remissions = [str(m), *m * ["!"]]
             rest = 11 * ["-"]
@@ -246,8 +248,8 @@ class RandomScenario:
         special = "nan +NaN inf Infinity 0 -0 -1e-301 1e300".split()
         return source.choice(
             [
-                *3 * [number(source, 0.0, max_range)],
-                number(source, 0.0, 2 * max_range),
+                *3 * [decimal(source, 0.0, max_range)],
+                decimal(source, 0.0, 2 * max_range),
                 source.choice(special),
                 repr(max_range),
                 repr(max_range - 1e-12),

@@ -1,4 +1,4 @@
-"""A submission as one archive: what is checked, what is hashed, and what travels to another machine."""
+"""A folder as one archive: what is hashed, and what travels to another machine."""
 
 from __future__ import annotations
 
@@ -6,17 +6,19 @@ import hashlib
 import io
 import stat
 import tarfile
+from collections.abc import Collection
 from dataclasses import dataclass, field
+from fnmatch import fnmatch
 from pathlib import Path
 
 
 class ArchiveError(Exception):
-    """A submission that cannot be packed, in one line."""
+    """A folder that cannot be packed, in one line."""
 
 
 @dataclass(frozen=True)
 class Archive:
-    """The files of a submission. The same files make the same bytes; ``left_out`` names what is no file."""
+    """The files of a folder. The same files make the same bytes; ``left_out`` names what is no file."""
 
     data: bytes = field(repr=False)
     left_out: tuple[str, ...] = ()
@@ -30,8 +32,8 @@ class Archive:
 NOTHING = Archive(b"")
 
 
-def pack(folder: Path, limit: int) -> Archive:
-    """Packs a folder of at most ``limit`` bytes.
+def pack(folder: Path, limit: int, without: Collection[str] = ()) -> Archive:
+    """Packs a folder of at most ``limit`` bytes, but for what one of the patterns ``without`` names.
 
     Links are kept where they stay in the folder; other links, pipes and devices are left out and named. Raises
     ArchiveError where the folder is too large or a file cannot be read.
@@ -44,7 +46,10 @@ def pack(folder: Path, limit: int) -> Archive:
         fileobj=text, mode="w", format=tarfile.PAX_FORMAT
     ) as tar:
         for path in sorted(folder.rglob("*")):
-            name = path.relative_to(folder).as_posix()
+            inside_it = path.relative_to(folder)
+            if any(fnmatch(x, y) for x in inside_it.parts for y in without):
+                continue
+            name = inside_it.as_posix()
             try:
                 about = path.lstat()
                 entry = tarfile.TarInfo(name)
