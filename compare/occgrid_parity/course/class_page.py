@@ -17,6 +17,8 @@ from occgrid_parity.check.verdict_text import (
     verdict_status,
     verdict_word,
 )
+from occgrid_parity.course.points import score
+from occgrid_parity.course.rules import NO_RULES, Rules
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.report.check_page import TONES
 from occgrid_parity.report.run_page import PAGE_FILE, asset, environment
@@ -30,6 +32,7 @@ class Row:
     page: str
     verdict: str
     tone: str
+    points: str
     level: str
     place: str
     cause: str
@@ -38,7 +41,10 @@ class Row:
 
 
 def write_class_page(
-    submissions: Sequence[tuple[str, Verdict]], target: Path, total: int
+    submissions: Sequence[tuple[str, Verdict]],
+    target: Path,
+    total: int,
+    rules: Rules = NO_RULES,
 ) -> Path:
     """Write the table of a class into a folder that holds the submissions' pages; returns its file.
 
@@ -46,7 +52,7 @@ def write_class_page(
     Failures come first; among them, and among the others, the order is the given one.
     """
     rows = sorted(
-        (_row(name, verdict) for name, verdict in submissions),
+        (_row(name, verdict, rules) for name, verdict in submissions),
         key=lambda row: not row.failed,
     )
     text = (
@@ -60,6 +66,7 @@ def write_class_page(
             note=f"* {HALVES}",
             started=datetime.now(UTC).isoformat(timespec="seconds"),
             style=Markup(asset("page.css")),
+            script=Markup(asset("class.js")),
         )
     )
     target.mkdir(parents=True, exist_ok=True)
@@ -68,13 +75,15 @@ def write_class_page(
     return page
 
 
-def _row(name: str, verdict: Verdict) -> Row:
+def _row(name: str, verdict: Verdict, rules: Rules) -> Row:
+    points, maximum = score(verdict, rules)
     level, difference = verdict.failed_level, verdict.first_difference
     return Row(
         name=name,
         page=f"submissions/{quote(name)}/{PAGE_FILE}",
         verdict=verdict_word(verdict),
         tone=TONES[verdict_status(verdict)],
+        points=f"{points:g} of {maximum:g}",
         level=level.title if level else "",
         place=f"{difference.scenario}, {difference.mode}: {place_text(difference)}"
         if difference

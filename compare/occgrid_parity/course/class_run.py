@@ -192,7 +192,9 @@ class ClassRun:
                 self.store.write(CANVAS, canvas_csv(found, roster, rules))
             if self.plan.report is not None:
                 rows = [(one.name, one.verdict) for one in found]
-                write_class_page(rows, self.plan.report, len(self.places))
+                write_class_page(
+                    rows, self.plan.report, len(self.places), rules
+                )
 
 
 def _digest(*texts: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from typing import NamedTuple
 
-from occgrid_parity.check.verdict import Verdict
+from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.course.rules import NO_RULES, Rules
 from occgrid_parity.report.gradescope import gradescope_json
 
@@ -20,25 +20,27 @@ class Score(NamedTuple):
 def results_json(verdict: Verdict, shown: Verdict, rules: Rules) -> str:
     """results.json in Gradescope's form, with the points of the rules.
 
-    ``shown`` is the verdict as the student sees it. Where there are rules, a level that the command cannot be asked
-    counts like one that was not reached.
+    ``shown`` is the verdict as the student sees it.
     """
     results = json.loads(gradescope_json(shown))
     for level, test in zip(verdict.levels, results["tests"], strict=True):
-        worth = rules.points_of(level.name)
-        if rules != NO_RULES and test["max_score"] == 0:
-            test["max_score"] = 1.0
+        test["score"], test["max_score"] = _worth(level, rules)
+        if rules != NO_RULES and not level.counts:
             test["status"] = "failed"
-        test["score"] *= worth
-        test["max_score"] *= worth
     results["score"] = sum(test["score"] for test in results["tests"])
     return json.dumps(results, indent=1) + "\n"
 
 
 def score(verdict: Verdict, rules: Rules) -> Score:
     """The points of a verdict."""
-    tests = json.loads(results_json(verdict, verdict, rules))["tests"]
+    levels = [_worth(level, rules) for level in verdict.levels]
     return Score(
-        sum(test["score"] for test in tests),
-        sum(test["max_score"] for test in tests),
+        sum(one.points for one in levels), sum(one.maximum for one in levels)
     )
+
+
+def _worth(level: Level, rules: Rules) -> Score:
+    """The points of a level; by rules, one that the command cannot be asked counts like one that was not reached."""
+    worth = rules.points_of(level.name)
+    counts = level.counts or rules != NO_RULES
+    return Score(worth if level.good else 0.0, worth if counts else 0.0)
