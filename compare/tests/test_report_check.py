@@ -135,8 +135,10 @@ def class_report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ):
         place = folder / "in" / name
         place.mkdir(parents=True)
+        (place / PROGRAM.name).write_bytes(PROGRAM.read_bytes())
         (place / "port.toml").write_text(
-            f'run = ["perl", "{PROGRAM}", "--bug", "{bug}", "{{mode}}", "--out", "{{out}}", "{{scenario}}"]\n'
+            f'run = ["perl", "{{port}}/{PROGRAM.name}", "--bug", "{bug}", '
+            '"{mode}", "--out", "{out}", "{scenario}"]\n'
         )
     (folder / "in" / "dee").mkdir()
     arguments = ["check", "--class", str(folder / "in")]
@@ -162,7 +164,12 @@ def test_the_page_of_a_class(class_report: Path) -> None:
         ("submissions/ana/index.html", "ana", "bad", "differs"),
         ("submissions/cy/index.html", "cy", "bad", "differs"),
         ("submissions/dee/index.html", "dee", "bad", "no port.toml"),
-        ("submissions/bo%20%26%20co/index.html", "bo &amp; co", "good", "identical*"),
+        (
+            "submissions/bo%20%26%20co/index.html",
+            "bo &amp; co",
+            "good",
+            "identical*",
+        ),
     ]
     causes = text[text.index('id="causes"') : text.index('id="submissions"')]
     assert causes.count("not added to the bearing") == 1
