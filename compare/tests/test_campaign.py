@@ -106,8 +106,7 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> Found:
 def test_a_wrong_port_is_found(found: Found) -> None:
     status, printed, record = found.ended
     assert status == 1
-    reference, wrong = record.programs
-    assert (reference.identical, reference.different) == (WORLDS, 0)
+    (wrong,) = record.programs
     assert wrong.different == len(record.differences) > 0
     assert wrong.identical == WORLDS - wrong.different > 0
     assert {one.program for one in record.differences} == {"toy"}
@@ -161,21 +160,6 @@ def test_right_ports_do_not_differ(tmp_path: Path) -> None:
     assert (one.identical, one.different) == (6, 0)
 
 
-def test_a_reference_that_is_wrong_is_found(tmp_path: Path) -> None:
-    """The Python port's files are held against the map that it draws in the harness's process."""
-    repository = tmp_path / "repository"
-    (repository / "scenarios").mkdir(parents=True)
-    (repository / "SPEC.md").write_text("")
-    port = toy(repository, "sensor", "ranges < z_max", "ranges <= z_max")
-    text = (port / "port.toml").read_text().replace('"toy"', '"python"')
-    (port / "port.toml").write_text(text)
-    ended = campaign(
-        tmp_path / "out", "--root", str(repository), "--worlds", "2"
-    )
-    assert ended.status == 1
-    assert ended.record.programs[0].different > 0
-
-
 CRASHES = """
 import sys
 from pathlib import Path
@@ -220,10 +204,10 @@ def test_rounding_of_a_program_is_no_difference(
     ended = campaign(
         tmp_path / "out",
         *("--run", f"{mapper} none {{mode}} {{out}} {{scenario}}"),
-        *("--worlds", str(2 * BLOCK)),
+        *("--worlds", "40"),
     )
     assert ended.status == 0, ended.printed
-    assert ended.record.programs[0].identical == 2 * BLOCK
+    assert ended.record.programs[0].identical == 40
 
 
 def test_a_mistake_of_a_program_is_found(mapper: Path, tmp_path: Path) -> None:

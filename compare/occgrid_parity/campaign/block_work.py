@@ -15,7 +15,6 @@ from occgrid_parity.campaign.judging import (
 )
 from occgrid_parity.campaign.numbered_worlds import mode_of, world
 from occgrid_parity.campaign.shortening import shortened
-from occgrid_parity.compare.matrix_run import REFERENCE
 from occgrid_parity.ports.parcels import Traveller, port_of, ready
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.program import Program
@@ -24,18 +23,17 @@ from occgrid_parity.suite.cases import Case
 
 @dataclass(frozen=True)
 class Subjects:
-    """What is asked: ports, of which the reference is the first, and a program that is none."""
+    """What is asked: ports, and a program that is none."""
 
     ports: tuple[Traveller, ...]
     program: Program | None = None
     limits: Limits = field(default_factory=Limits)
 
     def only(self, name: str) -> Subjects:
-        """One program alone; a port with the reference."""
+        """One program alone."""
         if self.program is not None and self.program.name == name:
             return replace(self, ports=())
-        names = (REFERENCE, name)
-        ports = [one for one in self.ports if port_of(one).name in names]
+        ports = [one for one in self.ports if port_of(one).name == name]
         return replace(self, ports=tuple(ports), program=None)
 
 
@@ -80,12 +78,12 @@ def map_block(block: Block) -> BlockFindings:
 
 
 def _judge_of(subjects: Subjects, folder: Path) -> Judge:
-    """The judge of the only program, or of the last port."""
+    """The judge of the only program or port."""
     if subjects.program is not None:
         program = ProgramJudge(subjects.program, folder, subjects.limits)
         return program.judge
     built = ready(subjects.ports)
-    name = built[-1].port.name
+    name = built[0].port.name
     return lambda cases, mode: judge_ports(built, cases, mode)[name]
 
 

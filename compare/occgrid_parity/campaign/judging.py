@@ -3,28 +3,29 @@
 from __future__ import annotations
 
 import tempfile
+import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from occgrid.scenario import ScenarioError
-from occgrid_parity.compare.matrix_run import REFERENCE, Plan, run
-from occgrid_parity.compare.run_record import Result, RunRecord
-from occgrid_parity.explain.closeness import (
-    compare_with_reference,
-    differing,
-)
-from occgrid_parity.formats.map_files import read_map
+from occgrid.fast import map_scenario_fast
+from occgrid.map_writer import write_map
+from occgrid.scenario import ScenarioError, read_scenario
+from occgrid_parity.compare.mapping import Mapped, map_batch
+from occgrid_parity.compare.matrix_run import Plan, run
+from occgrid_parity.compare.run_record import Result
+from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.ports.building import Built
+from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.limits import Limits
-from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.processes.process_group import Finished
 from occgrid_parity.programs.program import Program
 from occgrid_parity.programs.runner import CommandRunner
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
-from occgrid_parity.suite.scenarios import scenario_from
+from occgrid_parity.suite.scenarios import ScenarioFile, scenario_from
 
 GOOD = "identical"
 NOT_COMPARED = ("left out", "skipped")
@@ -47,13 +48,22 @@ Judge = Callable[[Sequence[Case], Mode], list[Finding]]
 """judge(cases, mode): what a program makes of scenarios, all of them valid."""
 
 
+HERE = Port(
+    "(reference)",
+    "the Python port, in this process",
+    Path(),
+    ("{scenarios}",),
+    timeout=60,
+)
+"""Stands for the reference in a run. No port can have its name."""
+
+
 def judge_ports(
     built: Sequence[Built], cases: Sequence[Case], mode: Mode
 ) -> dict[str, list[Finding]]:
-    """What each of the ports makes of the scenarios; the reference is one of them.
+    """What each of the ports makes of the scenarios, against the maps that the reference draws in this process.
 
-    The others are compared with the reference as in a run, and the reference with the map that it draws in this
-    process by its fast version.
+    The Python port can be among the ports: then its command is held against its functions.
     """
     with tempfile.TemporaryDirectory(prefix="occgrid-campaign-") as place:
         folder = Path(place)
@@ -63,55 +73,53 @@ def judge_ports(
             file.write_bytes(case.data)
             files.append(scenario_from(file))
         plan = Plan(
-            ports=[one.port for one in built],
+            ports=[HERE, *(one.port for one in built)],
             scenarios=files,
             folder=folder / "maps",
             modes=[mode],
             jobs=1,
-            built=built,
+            built=[Built(HERE), *built],
+            reference=HERE.name,
+            map_batch=_map_batch,
         )
         plan.folder.mkdir()
         record = run(plan)
-        found = {
+        return {
             one.port.name: [
                 _finding(record.result(one.port.name, file.name, mode.name))
                 for file in files
             ]
             for one in built
         }
-        found[REFERENCE] = [
-            _own_finding(record, finding, case, mode)
-            for finding, case in zip(found[REFERENCE], cases, strict=True)
-        ]
-        return found
+
+
+def _map_batch(
+    port: Port,
+    mode: Mode,
+    batch: Sequence[ScenarioFile],
+    folder: Path,
+    stop: threading.Event,
+) -> list[Mapped]:
+    """Maps with a port, or in this process."""
+    if port is not HERE:
+        return map_batch(port, mode, batch, folder, stop)
+    folder.mkdir(parents=True)
+    for one in batch:
+        assert one.path is not None
+        with read_scenario(one.path) as scenario:
+            grid = map_scenario_fast(scenario, mode.seed)
+        write_map(folder, one.map, grid)
+    finished = Finished((), 0, False, HERE.timeout, 0.0, folder, folder)
+    return [Mapped(HERE, mode, tuple(batch), folder, finished)]
 
 
 def _finding(result: Result) -> Finding:
     said = [
-        f"{d.count} of {d.total} {d.unit} differ in {d.file} ({d.against})"
+        f"{d.count} of {d.total} {d.unit} of {d.file} differ"
         for d in result.differences
         if d.total
     ]
     return Finding(result.status, "; ".join(said) or result.reason)
-
-
-def _own_finding(
-    record: RunRecord, finding: Finding, case: Case, mode: Mode
-) -> Finding:
-    """The reference's files, held against the map that it draws here."""
-    if finding.status != GOOD:
-        return finding
-    result = record.result(REFERENCE, case.name, mode.name)
-    place = Path(record.folder) / str(result.picture)
-    drawn = reference_map(case, replace(mode, plain=False))
-    found = read_map(place.parent, case.name)
-    if found.pixels.shape != drawn.pixels.shape:
-        return Finding("differs", "the size of its map is another one")
-    own = Observed(found.pixels, found.log_odds, place.name)
-    wrong = int(differing(own, drawn).sum())
-    if not wrong:
-        return finding
-    return Finding("differs", f"{wrong} cells differ from its fast version")
 
 
 class ProgramJudge:

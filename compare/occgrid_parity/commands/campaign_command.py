@@ -30,7 +30,7 @@ from occgrid_parity.commands.console import (
 )
 from occgrid_parity.commands.console_progress import ConsoleProgress
 from occgrid_parity.commands.interruption import Interrupted, interruptible
-from occgrid_parity.compare.matrix_run import REFERENCE, prepare_folder
+from occgrid_parity.compare.matrix_run import prepare_folder
 from occgrid_parity.formats.archive import ArchiveError
 from occgrid_parity.ports.building import as_it_is, build_ports
 from occgrid_parity.ports.declaration import Port
@@ -182,7 +182,7 @@ def _chosen(
     run: str | None,
     timeout: float | None,
 ) -> tuple[list[Port], Program | None]:
-    """Ports, the reference first, and the program that is none.
+    """Ports, and the program that is none.
 
     Raises ValueError or PortError where words or command name nothing.
     """
@@ -206,11 +206,7 @@ def _chosen(
         return [], program
     if home is None:
         raise ValueError("no repository with ports here: say --root DIR")
-    if named and REFERENCE not in named:
-        named.insert(0, REFERENCE)
-    ports = choose_ports(home, named)
-    ports.sort(key=lambda port: port.name != REFERENCE)
-    return ports, program
+    return choose_ports(home, named), program
 
 
 def _subjects(
