@@ -36,12 +36,12 @@ from occgrid_parity.ports.building import as_it_is, build_ports
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.ports.finding import choose_ports, is_program
 from occgrid_parity.ports.parcels import parcel
+from occgrid_parity.ports.port_file import DEFAULT_TIMEOUT
 from occgrid_parity.processes.cluster import Cluster, NoCluster
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.processes.progress import Silent
 from occgrid_parity.processes.worker_slots import WorkerSlots
 from occgrid_parity.programs.program import (
-    DEFAULT_TIMEOUT,
     Program,
     program_from_command,
     program_from_port,

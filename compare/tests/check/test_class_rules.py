@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -110,7 +111,7 @@ def checked(folder: Path, rules: str) -> Verdict:
         (place / name).write_bytes((PROGRAMS / name).read_bytes())
     read = read_rules(rules_file(folder / "in", rules))
 
-    def cases(names: list[str]) -> list[Case]:
+    def cases(names: Sequence[str]) -> list[Case]:
         return [
             Case(Path(n).stem, (folder / "in" / n).read_bytes()) for n in names
         ]
