@@ -73,7 +73,7 @@ def test_reads_any_picture(
 ) -> None:
     path = tmp_path / "a.pgm"
     path.write_bytes(data)
-    assert read_any_pgm(path).tolist() == pixels
+    assert read_any_pgm(path)[0].tolist() == pixels
 
 
 NOT_ANY = {

@@ -65,12 +65,18 @@ def _row(line: bytes, width: int, lines: LineReader) -> Pixels:
 PLAIN = re.compile(rb"\s*(?:[0-9]{1,5}\s+)*(?:[0-9]{1,5})?")
 
 
-def read_any_pgm(path: Path) -> Pixels:
-    """Any valid P2 or P5 picture of 8 or 16 bits, comments included.
+def scaled(levels: NDArray[np.int64], top: int) -> Pixels:
+    """Levels of 0 .. ``top`` as levels of 0 .. 255, rounded half up."""
+    if top != 255:
+        levels = (levels * 510 + top) // (2 * top)
+    return levels.astype(np.uint16)
 
-    Levels are scaled to 0 .. 255, rounded half up, where the file's maximum is
-    another. Raises OutputError where the file is no such picture, and OSError where
-    it cannot be read.
+
+def read_any_pgm(path: Path) -> tuple[Pixels, int]:
+    """Any valid P2 or P5 picture of 8 or 16 bits, comments included, and its maximum.
+
+    Levels are scaled to 0 .. 255 where that is another. Raises OutputError where the file is no such picture, and
+    OSError where it cannot be read.
     """
     limit = HEADER_BYTES + 8 * MAX_CELLS
     with path.open("rb") as file:
@@ -96,9 +102,7 @@ def read_any_pgm(path: Path) -> Pixels:
         levels = _raw_levels(path, data, start, width * height, top)
     if int(levels.max()) > top:
         raise OutputError(path, f"a pixel is {int(levels.max())}, above {top}")
-    if top != 255:
-        levels = (levels * 510 + top) // (2 * top)
-    return levels.astype(np.uint16).reshape(height, width)
+    return scaled(levels, top).reshape(height, width), top
 
 
 def _header(path: Path, data: bytes) -> tuple[tuple[int, int, int], int]:

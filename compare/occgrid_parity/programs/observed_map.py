@@ -4,26 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.log_odds import LogOdds, read_log_odds
 from occgrid_parity.formats.map_files import YAML_LIMIT
-from occgrid_parity.formats.pgm import Pixels, read_any_pgm
+from occgrid_parity.formats.pgm import Pixels
+from occgrid_parity.formats.pictures import (
+    SUFFIXES,
+    CutOff,
+    WrongKind,
+    read_picture,
+)
 from occgrid_parity.formats.plain_text import clean
 
-KNOWN = {
-    b"\x89PNG": "a PNG picture",
-    b"\xff\xd8\xff": "a JPEG picture",
-    b"BM": "a BMP picture",
-    b"GIF8": "a GIF picture",
-    b"P1": "a PBM picture (P1: two colours)",
-    b"P3": "a PPM picture (P3: colours)",
-    b"P4": "a PBM picture (P4: two colours)",
-    b"P6": "a PPM picture (P6: colours)",
-    b"P7": "a PAM picture (P7)",
-}
 FLOAT = re.compile(rb"[-+]?[0-9]*\.[0-9]+(?:[eE][-+]?[0-9]+)?|nan|inf", re.I)
 PICTURE = (b"P2", b"P5")
 
@@ -56,34 +52,41 @@ class Unreadable:
 
 
 def find_map(out: Path, pgm: Path, stdout: Path) -> Observed | Unreadable:
-    """The map of one run: ``pgm``, else the folder's only picture, else standard output."""
+    """The map of one run.
+
+    It is ``pgm``, else the folder's only PGM picture, else one on standard output, else the folder's only picture of
+    another kind.
+    """
     remarks: tuple[str, ...] = ()
-    picture = _find(out, pgm)
+    picture = pgm if pgm.is_file() else _only(out, pgm, (".pgm",))
+    if picture is None and (remark := _printed(stdout)) is not None:
+        picture = stdout
+        remarks = (remark,) if remark else ()
+    if picture is None:
+        picture = _only(out, pgm, SUFFIXES)
+    if picture is None:
+        return _nothing(out, stdout)
     if isinstance(picture, Unreadable):
         return picture
-    if picture is None:
-        with stdout.open("rb") as file:
-            begin = file.read(64).lstrip()
-        if not re.match(rb"P[1-7]\s", begin):
-            remark = _cut_banner(stdout)
-            if not remark:
-                return _nothing(out, begin)
-            remarks = (remark,)
-        picture = stdout
     name = "standard output" if picture == stdout else picture.name
     try:
-        pixels = read_any_pgm(picture)
+        read = read_picture(picture)
     except OutputError as error:
         return _diagnosis(picture, name, error)
     except OSError as error:
         return Unreadable("no map", f"{name} cannot be read: {error.strerror}")
+    if read.kind:
+        remarks += (
+            f"{name} is a {read.kind} picture; the programs of the suite write PGM. Its grey values are graded",
+        )
+    pixels = read.pixels
     found = Observed(
         pixels,
         None,
         name,
         _yaml(out, pgm),
         hashlib.sha256(picture.read_bytes()).hexdigest(),
-        _top(picture),
+        read.top,
         remarks,
     )
     log_odds_file = _beside(out, pgm, ".logodds")
@@ -117,20 +120,19 @@ def _yaml(out: Path, pgm: Path) -> str | None:
     return file.read_bytes().decode("utf-8", "replace")
 
 
-def _top(picture: Path) -> int:
-    """The maximum in the header of a picture that has been read."""
-    with picture.open("rb") as file:
-        head = file.read(65536)
-    words = re.sub(rb"#[^\n\r]*", b"", head).split(maxsplit=4)
-    return int(words[3])
+def _printed(stdout: Path) -> str | None:
+    """What to remark about a picture on standard output, empty where it is alone there; None where there is none.
 
-
-def _cut_banner(stdout: Path) -> str:
-    """Drops what was printed before a picture; says what it was, empty where there is no picture."""
+    What was printed before it is dropped.
+    """
+    with stdout.open("rb") as file:
+        begin = file.read(64).lstrip()
+    if re.match(rb"P[1-7]\s|\x89PNG\r\n", begin):
+        return ""
     data = stdout.read_bytes()
     start = re.search(rb"(?:^|[\n\r])(P[25]\s+[0-9#])", data)
     if start is None:
-        return ""
+        return None
     before = data[: start.start(1)]
     printed = clean(before.decode("utf-8", "replace").strip())[:40]
     stdout.write_bytes(data[start.start(1) :])
@@ -140,11 +142,12 @@ def _cut_banner(stdout: Path) -> str:
     )
 
 
-def _find(out: Path, pgm: Path) -> Path | Unreadable | None:
-    """The picture in the folder, None where there is none."""
-    if pgm.is_file():
-        return pgm
-    found = sorted(p for p in out.rglob("*.pgm") if p.is_file())
+def _only(
+    out: Path, pgm: Path, suffixes: Sequence[str]
+) -> Path | Unreadable | None:
+    """The only picture of these kinds in the folder; None where there is none."""
+    files = sorted(p for p in out.rglob("*") if p.is_file())
+    found = [p for p in files if p.suffix.lower() in suffixes]
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:4])
         return Unreadable(
@@ -154,8 +157,10 @@ def _find(out: Path, pgm: Path) -> Path | Unreadable | None:
     return found[0] if found else None
 
 
-def _nothing(out: Path, begin: bytes) -> Unreadable:
+def _nothing(out: Path, stdout: Path) -> Unreadable:
     """Why no picture was found."""
+    with stdout.open("rb") as file:
+        begin = file.read(64).lstrip()
     files = sorted(p.name for p in out.rglob("*") if p.is_file())
     if files:
         said = f"it wrote {', '.join(files[:4])}"
@@ -174,17 +179,12 @@ def _diagnosis(path: Path, name: str, error: OutputError) -> Unreadable:
     data = path.read_bytes()
     if not data.strip():
         return Unreadable("half a file", f"{name} is empty")
+    if isinstance(error, WrongKind):
+        return Unreadable("wrong magic", f"{name} {error.reason}")
+    if isinstance(error, CutOff):
+        return Unreadable("half a file", f"{name}: {error.reason}")
     if data[:2] not in PICTURE:
-        for magic, what in KNOWN.items():
-            if data.startswith(magic):
-                return Unreadable(
-                    "wrong magic", f"{name} is {what}, not P2 or P5"
-                )
-        shown = data[:8].decode("ascii", "backslashreplace").split("\n")[0]
-        return Unreadable(
-            "wrong magic",
-            f"{name} begins with {shown!r}, a PGM picture with P2 or P5",
-        )
+        return Unreadable("not a picture", f"{name}: {error.reason}")
     words = re.sub(rb"#[^\n\r]*", b"", data[2:]).split()
     floats = (
         [w for w in words[3:] if FLOAT.fullmatch(w)]

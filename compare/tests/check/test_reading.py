@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import io
+from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from occgrid_parity.ports.port_file import PortError
 from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
@@ -15,6 +19,17 @@ from occgrid_parity.programs.program import (
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 GOOD = b"P2\n3 2\n255\n0 128 255\n7 8 9\n"
+ROWS = [[0, 128, 255], [7, 8, 9]]
+
+
+def encoded(rows: Sequence[object], kind: str, dtype: str = "uint8") -> bytes:
+    """A picture as a program with an image library writes it."""
+    file = io.BytesIO()
+    Image.fromarray(np.array(rows, dtype=dtype)).save(file, kind)
+    return file.getvalue()
+
+
+GREY_PNG = encoded(ROWS, "PNG")
 
 
 def look(
@@ -51,6 +66,43 @@ def test_finds_the_map(
     assert found.log_odds is None
 
 
+@pytest.mark.parametrize(
+    ("files", "stdout", "kind"),
+    [
+        ({"map.png": GREY_PNG}, b"done\n", "PNG"),
+        ({}, GREY_PNG, "PNG"),
+        ({"lesson.pgm": GREY_PNG}, b"", "PNG"),
+        ({"map.PNG": encoded([[[v] * 3 for v in row] for row in ROWS], "PNG")}, b"", "PNG"),
+        ({"map.png": encoded([[257 * v for v in row] for row in ROWS], "PNG", "uint16")}, b"", "PNG"),
+        ({"map.bmp": encoded(ROWS, "BMP")}, b"", "BMP"),
+        ({"map.tif": encoded(ROWS, "TIFF")}, b"", "TIFF"),
+        ({"map.gif": encoded(ROWS, "GIF")}, b"", "GIF"),
+        ({"map.ppm": b"P3 3 2 255 0 0 0 128 128 128 255 255 255 7 7 7 8 8 8 9 9 9\n"}, b"", "PPM"),
+    ],
+)  # fmt: skip
+def test_reads_other_pictures_that_keep_grey_values(
+    tmp_path: Path, files: dict[str, bytes], stdout: bytes, kind: str
+) -> None:
+    found = look(tmp_path, files, stdout)
+    assert isinstance(found, Observed)
+    assert found.pixels.tolist() == ROWS
+    assert f"is a {kind} picture; the programs of the suite write PGM" in str(
+        found.remarks
+    )
+
+
+def test_a_pgm_goes_before_other_pictures(tmp_path: Path) -> None:
+    found = look(tmp_path, {"map.pgm": GOOD, "plot.png": b"", "b.png": b""})
+    assert isinstance(found, Observed)
+    assert (found.source, found.remarks) == ("map.pgm", ())
+
+
+def test_a_pgm_on_standard_output_goes_before_a_plot(tmp_path: Path) -> None:
+    found = look(tmp_path, {"plot.png": b""}, GOOD)
+    assert isinstance(found, Observed)
+    assert (found.source, found.remarks) == ("standard output", ())
+
+
 def test_finds_log_odds_beside_it(tmp_path: Path) -> None:
     files = {
         "lesson.pgm": b"P2\n2 1\n255\n0 1\n",
@@ -64,14 +116,21 @@ def test_finds_log_odds_beside_it(tmp_path: Path) -> None:
 BAD = [
     ({}, b"", "no map", "no picture (*.pgm) in the output folder: it wrote no file and printed nothing"),
     ({}, b"hello\n", "no map", "it wrote no file and printed 'hello'"),
-    ({"map.png": b"x"}, b"", "no map", "it wrote map.png"),
+    ({"map.png": b"x"}, b"", "wrong magic", "map.png begins with 'x'"),
+    ({"map.txt": b"x"}, b"", "no map", "it wrote map.txt"),
     ({"a.pgm": GOOD, "b.pgm": GOOD}, b"", "no map", "there are 2 pictures and none is lesson.pgm: a.pgm, b.pgm"),
     ({"lesson.pgm": b""}, b"", "half a file", "lesson.pgm is empty"),
     ({"lesson.pgm": b"P2\n3"}, b"", "half a file", "lesson.pgm: it ends within its first lines"),
     ({"lesson.pgm": GOOD[:-8]}, b"", "half a file", "lesson.pgm: 3 pixels, expected 6"),
     ({"lesson.pgm": b"P5 3 2 255\n\x00\x80"}, b"", "half a file", "lesson.pgm: 2 pixels, expected 6"),
-    ({"lesson.pgm": b"\x89PNG\r\n\x1a\n"}, b"", "wrong magic", "lesson.pgm is a PNG picture, not P2 or P5"),
-    ({"lesson.pgm": b"P3\n1 1\n255\n0 0 0\n"}, b"", "wrong magic", "lesson.pgm is a PPM picture (P3: colours)"),
+    ({"lesson.pgm": b"P1\n2 1\n10\n"}, b"", "wrong magic", "lesson.pgm is a PPM picture of two colours"),
+    ({"lesson.pgm": b"P3\n1 1\n255\n1 0 0\n"}, b"", "not a picture", "has red, green, blue and opacity 1, 0, 0, 255"),
+    ({"lesson.pgm": b"P3\n2 1\n255\n1 1 1\n"}, b"", "half a file", "lesson.pgm: a PPM picture: not enough image data"),
+    ({"lesson.pgm": b"P6 9999 9999 255\n"}, b"", "not a picture", "9999 x 9999 is not from 1 to 25000000 cells"),
+    ({"map.png": GREY_PNG[:-26]}, b"", "half a file", "map.png: a PNG picture: image file is truncated"),
+    ({"map.png": GREY_PNG, "other.bmp": b""}, b"", "no map", "none is lesson.pgm: map.png, other.bmp"),
+    ({"map.png": encoded(ROWS, "JPEG")}, b"", "wrong magic", "is a JPEG picture, which need not keep grey values"),
+    ({"map.png": encoded([[[1, 1, 1, 7]]], "PNG")}, b"", "not a picture", "opacity 1, 1, 1, 7; in a grey picture"),
     ({"lesson.pgm": b"3 2\n0 1"}, b"", "wrong magic", "lesson.pgm begins with '3 2', a PGM picture with P2 or P5"),
     ({"lesson.pgm": b"P2\n2 1\n255\n0.5 0.25\n"}, b"", "floats instead of integers", "has pixels such as 0.5"),
     ({"lesson.pgm": b"P2\n2 1\n255\n128.0 3\n"}, b"", "floats instead of integers", "such as 128.0"),
