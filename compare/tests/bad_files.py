@@ -35,12 +35,10 @@ class Answer:
     maps: dict[str, bytes]
 
 
-def give(
-    port: Port, file: Path, work: Path, prefix: Sequence[str] = ()
-) -> Answer:
-    """Runs a port on a scenario, noise-free, with an empty folder to write into."""
-    out = work / "out"
-    out.mkdir(parents=True)
+def map_into(
+    port: Port, file: Path, out: Path, work: Path, prefix: Sequence[str] = ()
+) -> Finished:
+    """Runs a port on a scenario, noise-free; what it says goes to files in ``work``."""
     run = port.command(
         port.run,
         mode=["--noise-free"],
@@ -48,13 +46,22 @@ def give(
         scenario=[file],
         scenarios=[file],
     )
-    finished = run_process(
+    return run_process(
         [*prefix, *run],
         cwd=port.folder,
         stdout=work / "stdout",
         stderr=work / "stderr",
         time_limit=port.timeout,
     )
+
+
+def give(
+    port: Port, file: Path, work: Path, prefix: Sequence[str] = ()
+) -> Answer:
+    """Runs a port on a scenario, noise-free, with an empty folder to write into."""
+    out = work / "out"
+    out.mkdir(parents=True)
+    finished = map_into(port, file, out, work, prefix)
     return Answer(
         finished,
         finished.stdout.read_bytes(),

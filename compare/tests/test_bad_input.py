@@ -16,7 +16,7 @@ import pytest
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.processes.process_group import run_process
 
-from .bad_files import bad_files, check_refused, give
+from .bad_files import bad_files, check_refused, give, map_into
 from .conftest import PORTS, unavailable
 
 FILES = {file.stem: (file, line, reason) for file, line, reason in bad_files()}
@@ -112,20 +112,7 @@ def test_says_that_the_folder_cannot_be_written(
         out.write_text("here already")
     if kind in ("no-permission-above", "in-a-file"):
         out = out / "below"
-    run = ready.command(
-        ready.run,
-        mode=["--noise-free"],
-        out=out,
-        scenario=[file],
-        scenarios=[file],
-    )
-    finished = run_process(
-        [*prefix, *run],
-        cwd=ready.folder,
-        stdout=tmp_path / "stdout",
-        stderr=tmp_path / "stderr",
-        time_limit=ready.timeout,
-    )
+    finished = map_into(ready, file, out, tmp_path, prefix)
     said = finished.stderr.read_text()
     paths = [
         out,

@@ -8,10 +8,9 @@ from collections.abc import Callable
 import pytest
 
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.ports.probing import ProbeError, run_probe
-from occgrid_parity.processes.pool import side_by_side
 
-from .conftest import JOBS, PORTS
+from .conftest import PORTS
+from .probe_answers import Answers, answered, ask_ports
 
 MASK = 0xFFFFFFFF
 
@@ -119,35 +118,24 @@ def answers(
     questions: dict[str, tuple[list[str], list[str]]],
     ready: list[Port],
     tmp_path_factory: pytest.TempPathFactory,
-) -> dict[tuple[str, str], list[str] | ProbeError]:
+) -> Answers:
     """What each port's probe answers."""
     folder = tmp_path_factory.mktemp("probes")
-    work = [(port, function) for port in ready for function in QUESTIONS]
-
-    def ask(item: tuple[Port, str], stop: object) -> list[str] | ProbeError:
-        port, function = item
-        try:
-            return run_probe(port, function, questions[function][0], folder)
-        except ProbeError as error:
-            return error
-
-    found = side_by_side(ask, work, JOBS)
-    return {(p.name, f): a for (p, f), a in zip(work, found, strict=True)}
+    asked = {function: questions[function][0] for function in questions}
+    return ask_ports(ready, asked, folder)
 
 
 @pytest.mark.parametrize("function", QUESTIONS)
 @pytest.mark.parametrize("port", [port.name for port in PORTS])
 def test_answers_as_the_contract(
     questions: dict[str, tuple[list[str], list[str]]],
-    answers: dict[tuple[str, str], list[str] | ProbeError],
+    answers: Answers,
     need: Callable[[str], Port],
     port: str,
     function: str,
 ) -> None:
     need(port)
-    found = answers[port, function]
-    if isinstance(found, ProbeError):
-        pytest.fail(str(found), pytrace=False)
+    found = answered(answers, port, function)
     asked, right = questions[function]
     assert found
     for question, answer, expected in zip(

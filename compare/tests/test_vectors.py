@@ -7,11 +7,10 @@ from collections.abc import Callable
 import pytest
 
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.ports.probing import ProbeError, run_probe
-from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.suite.vectors import RESULTS, read_vectors
 
-from .conftest import JOBS, PORTS, ROOT
+from .conftest import PORTS, ROOT
+from .probe_answers import Answers, answered, ask_ports
 
 FOLDER = ROOT / "scenarios" / "vectors"
 
@@ -19,35 +18,22 @@ FOLDER = ROOT / "scenarios" / "vectors"
 @pytest.fixture(scope="session")
 def answers(
     ready: list[Port], tmp_path_factory: pytest.TempPathFactory
-) -> dict[tuple[str, str], list[str] | ProbeError]:
+) -> Answers:
     """What each port's probe answers to the questions of each file."""
-    folder = tmp_path_factory.mktemp("vectors")
-    work = [(port, function) for port in ready for function in RESULTS]
-
-    def ask(item: tuple[Port, str], stop: object) -> list[str] | ProbeError:
-        port, function = item
-        try:
-            questions = read_vectors(function).questions
-            return run_probe(port, function, questions, folder)
-        except ProbeError as error:
-            return error
-
-    found = side_by_side(ask, work, JOBS)
-    return {(p.name, f): a for (p, f), a in zip(work, found, strict=True)}
+    questions = {name: read_vectors(name).questions for name in RESULTS}
+    return ask_ports(ready, questions, tmp_path_factory.mktemp("vectors"))
 
 
 @pytest.mark.parametrize("function", RESULTS)
 @pytest.mark.parametrize("port", [port.name for port in PORTS])
 def test_gives_the_results_of_the_vectors(
-    answers: dict[tuple[str, str], list[str] | ProbeError],
+    answers: Answers,
     need: Callable[[str], Port],
     port: str,
     function: str,
 ) -> None:
     need(port)
-    found = answers[port, function]
-    if isinstance(found, ProbeError):
-        pytest.fail(str(found), pytrace=False)
+    found = answered(answers, port, function)
     vectors = read_vectors(function)
     wrong = [
         f"{function}({question}) is {right}, not {answer}"

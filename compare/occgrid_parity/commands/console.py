@@ -23,7 +23,7 @@ Jobs = Annotated[
 
 
 def wide_console() -> Console:
-    """Standard output; wide enough for five ports where it is no terminal."""
+    """Standard output; wide enough for all ports where it is no terminal."""
     console = Console()
     return console if console.is_terminal else Console(width=WIDTH)
 

@@ -1,1 +1,1 @@
-"""The five ports: their declarations, how they are built, their probes."""
+"""The ports: their declarations, how they are built, their probes."""

@@ -24,7 +24,7 @@ STYLES = {
 
 def matrix_table(record: RunRecord) -> Table:
     """Scenarios and modes downwards, ports across, the seconds of each at the foot."""
-    # five ports fit 80 columns
+    # as narrow as it goes: many ports stand side by side
     table = Table(show_footer=True, box=SIMPLE, padding=0, show_edge=False)
     table.add_column("scenario", footer="seconds", overflow="fold")
     table.add_column("mode", no_wrap=True)
