@@ -18,12 +18,16 @@ SEEDS = (Mode(0), Mode(1))
 
 @dataclass(frozen=True)
 class LevelPlan:
-    """Scenarios that are mapped without noise, or with that of SEEDS where the level is about noise."""
+    """Scenarios that are mapped without noise, or with that of SEEDS where the level is about noise.
+
+    ``explains``: where a level has failed, they are mapped for the search of the cause; so they are quick to map.
+    """
 
     name: str
     title: str
     scenarios: tuple[str, ...]
     noisy: bool = False
+    explains: bool = True
 
 
 RUNS = ("runs", "it runs")
@@ -48,9 +52,14 @@ LEVELS = (
     LevelPlan("recorded", "recorded scans", ("flaser", "robotlaser1")),
     LevelPlan("mixed", "simulated and recorded scans together", ("mixed",)),
     LevelPlan("powers", "odds that are powers of 2", ("powers",)),
-    LevelPlan("formats", "all that the file format allows", ("formats",)),
-    LevelPlan("twin", "the well-conditioned lesson", (TWIN,)),
-    LevelPlan("lesson", "the lesson", (LESSON,)),
+    LevelPlan(
+        "formats",
+        "all that the file format allows",
+        ("formats",),
+        explains=False,
+    ),
+    LevelPlan("twin", "the well-conditioned lesson", (TWIN,), explains=False),
+    LevelPlan("lesson", "the lesson", (LESSON,), explains=False),
     LevelPlan(
         "noise", "seeded noise", ("asymmetric", TWIN, LESSON), noisy=True
     ),
@@ -59,21 +68,15 @@ LEVELS = (
     ),
 )
 
-# for the search of the cause, when a level has failed: quick to map, and together they tell the mistakes apart
-EVIDENCE = (
-    "one-beam",
-    "octants",
-    "no-return-free",
-    "no-return-ignore",
-    "saturate",
-    "prior",
-    "outside",
-    "asymmetric",
-    "flaser",
-    "robotlaser1",
-    "mixed",
-    "powers",
+EVIDENCE = tuple(
+    dict.fromkeys(
+        name
+        for plan in LEVELS
+        if plan.explains and not plan.noisy
+        for name in plan.scenarios
+    )
 )
+"""For the search of the cause: together they tell the mistakes apart."""
 
 
 class LevelRuns(NamedTuple):

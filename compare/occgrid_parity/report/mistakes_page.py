@@ -6,17 +6,25 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from occgrid_parity.check.levels import EVIDENCE
+from occgrid_parity.check.levels import LEVELS
 from occgrid_parity.explain.closeness import differing
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.programs.observed_map import Observed
-from occgrid_parity.suite.cases import LESSON, case
+from occgrid_parity.suite.cases import LESSON, TWIN, case
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 PAGE = "docs/mistakes.md"
-SMALL = (*EVIDENCE, "formats")
+SMALL = tuple(
+    dict.fromkeys(
+        name
+        for plan in LEVELS
+        if not plan.noisy
+        for name in plan.scenarios
+        if name not in (TWIN, LESSON)
+    )
+)
 COLUMNS: tuple[tuple[str, Mode], ...] = (
     *((name, NOISE_FREE) for name in (*SMALL, LESSON)),
     ("asymmetric", Mode(0)),

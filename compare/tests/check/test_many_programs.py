@@ -42,11 +42,9 @@ class Expected(NamedTuple):
     said: str = ""
 
 
-EVERY = (
-    "one-beam octants no-return clamping prior outside simulated recorded mixed powers "
-    "formats noise mixed-noise"
-)
-QUIET = EVERY.removesuffix(" noise mixed-noise")
+SHORT = [p for p in levels.LEVELS if {*p.scenarios} - {TWIN, LESSON}]
+EVERY = " ".join(plan.name for plan in SHORT)
+QUIET = " ".join(plan.name for plan in SHORT if not plan.noisy)
 
 # the C mapper: it reads scenarios and draws the contract's noise
 C = {
