@@ -18,6 +18,8 @@ from occgrid_parity.compare import run_record
 from .conftest import ROOT
 from .loopback_cluster import PYTHON, kill_at_work, loopback_cluster
 
+pytestmark = pytest.mark.long
+
 SLOWLY = 'sleep 1; PYTHONPATH="$0" exec "$@"'
 TOY = [
     *("sh", "-c", SLOWLY, "{port}", "{python}", "-m", "occgrid"),
@@ -73,7 +75,7 @@ def start(root: Path, *options: str) -> subprocess.Popen[str]:
 
 
 def finish(running: subprocess.Popen[str], status: int) -> str:
-    printed, _ = running.communicate(timeout=240)
+    printed, _ = running.communicate(timeout=600)
     assert running.returncode == status, printed
     return printed
 
@@ -114,7 +116,7 @@ def test_a_campaign(
 ) -> None:
     address, workers = cluster
     options = [
-        *("campaign", "--port", "toy", "--worlds", "40", "--shorten", "1"),
+        *("campaign", "--port", "toy", "--worlds", "36", "--shorten", "1"),
     ]
     there, here = tmp_path / "there", tmp_path / "here"
     running = start(

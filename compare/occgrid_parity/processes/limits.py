@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import os
@@ -9,11 +10,13 @@ import re
 import signal
 import sys
 import threading
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from occgrid_parity.processes import supervisor_server
 from occgrid_parity.processes.process_group import first_line, run_process
 from occgrid_parity.processes.wall import NONE, Wall
 
@@ -140,18 +143,11 @@ def run_limited(
         ),
         encoding="utf-8",
     )
-    finished = run_process(
-        [sys.executable, *SUPERVISOR, str(config)],
-        cwd=folder,
-        stdout=folder / "supervisor.stdout",
-        stderr=folder / "supervisor.stderr",
-        time_limit=limits.seconds + GRACE,
-        stop=stop,
-    )
+    seconds = _supervise(config, limits.seconds + GRACE, stop)
     if not report.is_file():
-        said = first_line(finished.stderr) or "nothing on standard error"
+        said = first_line(_said(config)) or "nothing on standard error"
         message = f"the run could not be watched to its end ({said})"
-        return Ended("lost", message, finished.seconds, stdout, stderr)
+        return Ended("lost", message, seconds, stdout, stderr)
     told = json.loads(report.read_text(encoding="utf-8"))
     if wall.works:
         _behind_the_wall(told, folder / "left")
@@ -169,6 +165,32 @@ def run_limited(
         None if told["word"] else told["status"],
         not_held(told["refused"]),
     )
+
+
+def _supervise(
+    config: Path, seconds: float, stop: threading.Event | None
+) -> float:
+    """Runs the command of a file of settings; how long it took."""
+    started = time.monotonic()
+    _said(config).write_bytes(b"")
+    if supervisor_server.WORKS:
+        with contextlib.suppress(supervisor_server.ServerLost):
+            supervisor_server.run_supervised(config, seconds, stop)
+    else:
+        run_process(
+            [sys.executable, *SUPERVISOR, str(config)],
+            cwd=config.parent,
+            stdout=config.with_name("supervisor.stdout"),
+            stderr=_said(config),
+            time_limit=seconds,
+            stop=stop,
+        )
+    return time.monotonic() - started
+
+
+def _said(config: Path) -> Path:
+    """What the supervisor says on standard error."""
+    return config.with_name(f"{config.name}.said")
 
 
 def _behind_the_wall(told: dict[str, Any], left: Path) -> None:

@@ -1,6 +1,7 @@
 """Runs one command within limits and ends every process that it started.
 
-This is a program of its own; the harness starts it for each command, with a file of settings. On Linux it makes itself
+This is a program of its own; the harness starts it for each command, with a file of settings, or has it forked by the
+process of supervisor_server.py. On Linux it makes itself
 the parent of the command's orphans, so a process that left its group or session is still found and ended; elsewhere it
 ends those that it has seen.
 """
@@ -33,8 +34,9 @@ if sys.platform != "win32":
         limits_setter,
     )
 
-POLL = 0.01
-LOOK = 0.05  # seconds between two looks at memory and processes
+LOOK = 0.05  # seconds between two looks at memory and processes, in the first second
+LATER = 0.2  # and after it: a look at a machine with many processes takes a hundredth of a second
+GONE = 0.002  # seconds that killed processes get to be gone
 MEASURE = 0.25  # seconds between two looks at the files
 LEFT = 9  # behind a wall, a shell writes there how many processes the command left
 WALL_PROCESSES = 3  # bubblewrap, the first process in it, and that shell
@@ -99,6 +101,14 @@ class Command:
         self.seen = found
         return found
 
+    def has_ended(self) -> bool:
+        """Whether the command ends within a moment."""
+        try:
+            self.process.wait(LOOK)
+        except subprocess.TimeoutExpired:
+            return False
+        return True
+
     def left_behind(self) -> int:
         """How many processes are still there beside the first one."""
         if sys.platform == "win32":
@@ -118,7 +128,7 @@ class Command:
                 break
             kill_all(found)
             self.process.poll()
-            time.sleep(POLL / 5)
+            time.sleep(GONE)
 
 
 class Watch:
@@ -144,7 +154,7 @@ class Watch:
             self.word = "stopped"
         elif now - self.started > self.config["seconds"]:
             self.word = "hang"
-        if now - self.looked > LOOK:
+        if now - self.looked > (LOOK if now - self.started < 1.0 else LATER):
             self.looked = now
             found = command.living()
             memory = sum(resident_bytes(one) for one in found)
@@ -204,8 +214,7 @@ def supervise(config: dict[str, Any]) -> dict[str, Any]:
             "start_error": errno.EINVAL,
             "start_reason": str(error),
         }
-    while not watch.word and command.process.poll() is None:
-        time.sleep(POLL)
+    while not watch.word and not command.has_ended():
         watch.look(command)
     seconds = time.monotonic() - watch.started
     status = None if watch.word else command.process.returncode
@@ -223,12 +232,17 @@ def supervise(config: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def main() -> None:
-    """Reads what to run, and writes what came of it."""
-    config = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+def supervise_file(settings: Path, parent: int | None = None) -> None:
+    """Runs the command of a file of settings, and writes what came of it.
+
+    ``parent`` is the process that has started this one, where that is not the harness.
+    """
+    config = json.loads(settings.read_text(encoding="utf-8"))
+    if parent is not None:
+        config["parent"] = parent
     told = supervise(config)
     Path(config["report"]).write_text(json.dumps(told), encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main()
+    supervise_file(Path(sys.argv[1]))

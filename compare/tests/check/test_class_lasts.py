@@ -17,8 +17,6 @@ from occgrid_parity.check.verdict import from_json
 
 from ..check_helpers import PROGRAMS
 
-pytestmark = pytest.mark.long
-
 RIGHT = 'run = ["awk", "-f", "lesson.awk", "{scenario}"]\n'
 COMMAND = [sys.executable, "-m", "occgrid_parity", "check", "--class", "in"]
 QUICK = ["--scenario", "one-beam", "--timeout", "30"]

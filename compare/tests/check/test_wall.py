@@ -27,8 +27,6 @@ from occgrid_parity.suite.cases import case, scenario_folder
 from ..check_helpers import PROGRAMS
 from ..conftest import ROOT, unavailable
 
-pytestmark = pytest.mark.long
-
 MAP = 'exec awk -f "$(dirname "$0")/lesson.awk" "$1"\n'
 
 
