@@ -34,6 +34,9 @@ SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 WORKERS := -n $(JOBS) --dist loadfile
 CPP_TESTS := cmake -S cpp -B cpp/build-tests -DOCCGRID_BUILD_TESTS=ON; cmake --build cpp/build-tests --parallel 2
 WEB_PAGES := (cd web && npm ci --silent && node build.mjs ../build/handouts)
+SPEECH := (cd handouts/speech && npm ci --silent)
+VERAPDF := mvn -B -ntp -q org.apache.maven.plugins:maven-dependency-plugin:3.8.1:copy \
+    -Dartifact=org.verapdf.apps:greenfield-apps:1.28.2 -DoutputDirectory=build/verapdf
 CTEST := --output-on-failure --no-tests=error
 MVN := mvn -B -ntp -Dstyle.color=never
 JDK := openjdk-17-jdk-headless
@@ -60,7 +63,8 @@ test-long: setup  ## What rarely fails and takes long: other compilers, flags an
 	$(BIN)/$(call mypy-for,darwin)
 	$(BIN)/occgrid-parity build --jobs $(JOBS)
 	PARITY_ALL_CASES=1 $(BIN)/pytest $(WORKERS) -m "long or not long" compare/
-	$(BIN)/pytest -c handouts/pytest.ini -m long handouts/tests
+	(cd web && npm ci --silent); $(SPEECH); $(VERAPDF)
+	$(BIN)/pytest $(WORKERS) -c handouts/pytest.ini -m long handouts/tests
 	@$(MAKE) --no-print-directory $(LONG_PARTS:%=run-test-%)
 	$(CPP_TESTS)
 	ctest --test-dir cpp/build-tests -R "build_(flags|consumer)" $(CTEST)
@@ -97,6 +101,7 @@ $(ALL_PARTS:%=test-%): test-%: setup  ## Its tests; also test-lint, test-compare
 handouts: setup  ## Students' and instructors' handouts in build/handouts; PARTIAL=1 goes on where a part cannot be made
 	$(BIN)/occgrid-parity build --jobs $(JOBS) --allow-skipped
 	$(WEB_PAGES)
+	$(SPEECH)
 	$(BIN)/python handouts/build.py --out build/handouts $(if $(PARTIAL),--partial)
 
 ##@ Speed
@@ -126,7 +131,7 @@ lock:  ## Write constraints.txt anew, with the newest versions that fit
 
 .PHONY: clean
 clean:  ## Remove what was built; .venv stays
-	rm -rf build dist cpp/build* java/target web/node_modules .mypy_cache .pytest_cache .ruff_cache
+	rm -rf build dist cpp/build* java/target web/node_modules handouts/speech/node_modules .mypy_cache .pytest_cache .ruff_cache
 	find python compare handouts bench scripts -name __pycache__ -prune -exec rm -rf {} +
 
 .PHONY: help
@@ -184,5 +189,6 @@ run-test-compare:
 	@scripts/part compare 'pytest' '$(if $(CI),PARITY_REQUIRE_ALL=1 )pytest $(WORKERS) -m "not long" compare/'
 
 run-test-handouts:
-	@scripts/part handouts 'pytest' 'occgrid-parity build --jobs 1 --allow-skipped; \
-	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c handouts/pytest.ini -m "not long" handouts/tests'
+	@scripts/part handouts 'pytest node=nodejs npm' 'occgrid-parity build --jobs 1 --allow-skipped; \
+	    (cd web && npm ci --silent); $(SPEECH); \
+	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest $(WORKERS) -c handouts/pytest.ini -m "not long" handouts/tests'

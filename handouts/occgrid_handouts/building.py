@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from occgrid_handouts.blocks import read_blocks
+from occgrid_handouts.class_rules import class_rules, rules_name
 from occgrid_handouts.facts import gather
 from occgrid_handouts.languages import Language
 from occgrid_handouts.math_font import find_font, with_math_font
@@ -22,10 +23,16 @@ from occgrid_handouts.notebook import (
     run_notebook,
 )
 from occgrid_handouts.packages import make_package, package_name
-from occgrid_handouts.page_tree import read_page
+from occgrid_handouts.page_tree import Element, read_page
 from occgrid_handouts.project import COMMAND, Edition
+from occgrid_handouts.speech import missing_tool, without_formulas, words
 from occgrid_handouts.starters import Stage, make_stages, starter_zip
-from occgrid_handouts.typesetting import Kind, prepare, typeset
+from occgrid_handouts.typesetting import (
+    Kind,
+    prepare,
+    typeset,
+    write_speech,
+)
 from occgrid_handouts.web_pages import NAMES as WEB_PAGES
 from occgrid_handouts.web_pages import web_pages
 
@@ -38,8 +45,6 @@ EXTRAS = {
     "matlab": ("matlab_handout.m", "script with sections"),
     "mathematica": ("mathematica.nb", "Mathematica notebook"),
 }
-
-KINDS: tuple[Kind, ...] = ("pdf", "html")
 
 Say = Callable[[str], None]
 Files = dict[str, bytes]
@@ -80,7 +85,7 @@ def build(
     """Writes everything into ``out``, which is emptied first, and returns the files.
 
     Where something cannot be made, it raises IncompleteError, or with ``partial`` says so and goes on. Also raises
-    SnippetError, CutError, TypesettingError, FileExistsError (where ``out`` holds something else).
+    SnippetError, CutError, TypesettingError, SpeechError, FileExistsError (where ``out`` holds something else).
     """
     check_folder(out)
     stages = {one.id: make_stages(root, one) for one in languages}
@@ -90,6 +95,9 @@ def build(
         pages, missing = web_pages(root, work / "web")
         if find_font() is None:
             missing.append("a font for equations: install fonts-dejavu-extra")
+        without_words = missing_tool(root)
+        if without_words:
+            missing.append(f"words for equations: {without_words}")
         if missing and not partial:
             raise IncompleteError(missing)
         say("runs, libraries, figures")
@@ -108,7 +116,17 @@ def build(
         facts["packages"] = {one.id: package_name(one) for one in languages}
         prepare(text, facts)
         say(f"typesetting {len(languages)} languages")
-        files = _typeset(text, languages, edition, jobs)
+        files = _typeset(_plan(text, languages, edition, "html"), jobs)
+        files, equations = _without_formulas(files)
+        say(f"words for {len(equations)} equations")
+        spoken = (
+            {key: one.text() for key, one in equations.items()}
+            if without_words
+            else words(root, equations)
+        )
+        write_speech(text, spoken)
+        say("typesetting for print")
+        files |= _typeset(_plan(text, languages, edition, "pdf"), jobs)
     files |= _with_fonts(files)
     student = of_edition(files, "student")
     extras = _extras(root, student, languages, edition, say)
@@ -164,29 +182,40 @@ def _write(out: Path, files: Mapping[str, bytes]) -> list[Path]:
     return written
 
 
-def _typeset(
-    text: Path, languages: Sequence[Language], edition: Edition, jobs: int
-) -> Files:
-    """PDF and HTML of every language in both editions, and the index pages."""
+def _plan(
+    text: Path, languages: Sequence[Language], edition: Edition, kind: Kind
+) -> dict[str, Job]:
+    """Every language in both editions, by the name of its file; with the pages, the index pages."""
     plan = {}
     for which in EDITIONS:
         for language in languages:
-            for kind in KINDS:
-                plan[f"{which}/{language.id}.{kind}"] = Job(
-                    text,
-                    "main.typ",
-                    language.id,
-                    which,
-                    kind,
-                    edition.seconds,
-                )
-        first = languages[0].id
-        plan[f"{which}/index.html"] = Job(
-            text, "index.typ", first, which, "html", edition.seconds
-        )
+            plan[f"{which}/{language.id}.{kind}"] = Job(
+                text, "main.typ", language.id, which, kind, edition.seconds
+            )
+        if kind == "html":
+            first = languages[0].id
+            plan[f"{which}/index.html"] = Job(
+                text, "index.typ", first, which, kind, edition.seconds
+            )
+    return plan
+
+
+def _typeset(plan: Mapping[str, Job], jobs: int) -> Files:
+    """The files of a plan."""
     with ProcessPoolExecutor(jobs) as pool:
         made = pool.map(Job.run, plan.values())
         return dict(zip(plan, made, strict=True))
+
+
+def _without_formulas(files: Files) -> tuple[Files, dict[str, Element]]:
+    """The pages without their lists of equations, and all of these in one."""
+    equations: dict[str, Element] = {}
+    pages = {}
+    for name, content in files.items():
+        page, found = without_formulas(content.decode())
+        pages[name] = page.encode()
+        equations |= found
+    return pages, equations
 
 
 def _with_fonts(files: Mapping[str, bytes]) -> Files:
@@ -253,10 +282,14 @@ def _zip_files(
 def _solutions(
     languages: Sequence[Language], stages: Mapping[str, Sequence[Stage]]
 ) -> Files:
-    """The solutions of the exercises as patches, for instructors."""
-    return {
-        f"instructor/solutions/{language.id}/"
-        f"exercise-{stage.exercise.number}.patch": stage.patch.encode()
-        for language in languages
-        for stage in stages[language.id]
-    }
+    """For instructors: the solutions of the exercises as patches, and rules for a class that does one."""
+    made = {}
+    for language in languages:
+        folder = f"instructor/solutions/{language.id}"
+        for stage in stages[language.id]:
+            exercise = stage.exercise
+            patch = f"{folder}/exercise-{exercise.number}.patch"
+            made[patch] = stage.patch.encode()
+            rules = f"{folder}/{rules_name(exercise)}"
+            made[rules] = class_rules(language, exercise).encode()
+    return made

@@ -14,6 +14,7 @@ from occgrid_handouts.function_bodies import CutError
 from occgrid_handouts.languages import BY_ID, LANGUAGES
 from occgrid_handouts.missing import IncompleteError
 from occgrid_handouts.project import ROOT, current_edition
+from occgrid_handouts.speech import SpeechError
 from occgrid_handouts.typesetting import TypesettingError
 from occgrid_parity.ports.snippets import SnippetError
 
@@ -71,6 +72,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         SnippetError,
         CutError,
         TypesettingError,
+        SpeechError,
         FileExistsError,
         IncompleteError,
     ) as error:

@@ -21,12 +21,16 @@ class Function:
 
 @dataclass(frozen=True)
 class Exercise:
-    """One stage: its number from 1, its title, its functions, and a scenario that shows the whole of it."""
+    """One stage: its number from 1, its title, its functions, and a scenario that shows the whole of it.
+
+    ``points`` are what the check's levels are worth to a class that does it.
+    """
 
     number: int
     title: str
     functions: tuple[Function, ...]
     scenario: str
+    points: tuple[tuple[str, int], ...]
 
 
 EXERCISES = (
@@ -53,6 +57,13 @@ EXERCISES = (
             ),
         ),
         "saturate",
+        (
+            ("one-beam", 1),
+            ("clamping", 3),
+            ("prior", 3),
+            ("powers", 1),
+            ("lesson", 2),
+        ),
     ),
     Exercise(
         2,
@@ -65,6 +76,7 @@ EXERCISES = (
             ),
         ),
         "outside",
+        (("one-beam", 1), ("outside", 4), ("twin", 3), ("lesson", 2)),
     ),
     Exercise(
         3,
@@ -78,6 +90,7 @@ EXERCISES = (
             ),
         ),
         "octants",
+        (("one-beam", 1), ("octants", 5), ("outside", 2), ("lesson", 2)),
     ),
     Exercise(
         4,
@@ -105,6 +118,13 @@ EXERCISES = (
             ),
         ),
         "one-beam",
+        (
+            ("one-beam", 2),
+            ("no-return", 3),
+            ("simulated", 1),
+            ("recorded", 2),
+            ("lesson", 2),
+        ),
     ),
     Exercise(
         5,
@@ -118,6 +138,13 @@ EXERCISES = (
             ),
         ),
         "lesson",
+        (
+            ("simulated", 2),
+            ("recorded", 2),
+            ("mixed", 2),
+            ("formats", 1),
+            ("lesson", 3),
+        ),
     ),
 )
 

@@ -1,4 +1,4 @@
-"""The five languages: where their sources lie and how they are called."""
+"""The five languages that the course teaches in: where their sources lie and how they are called."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
-from occgrid.mapper import map_scenario
+from occgrid.fast import map_scenario_fast
 from occgrid.scenario import read_scenario
 from occgrid_handouts.languages import Language
 from occgrid_handouts.machine import time_limit
@@ -56,7 +56,7 @@ def run_ports(
     expected = {}
     for mode, (_, seed) in MODES.items():
         with read_scenario(root / SCENARIO) as scenario:
-            expected[mode] = map_scenario(scenario, seed).log_odds
+            expected[mode] = map_scenario_fast(scenario, seed).log_odds
     ports = {port.name: port for port in find_ports(root)}
 
     def one(task: tuple[Language, str]) -> int | str:

@@ -21,6 +21,7 @@ from occgrid_handouts.languages import Language
 from occgrid_handouts.packages import SOURCES
 from occgrid_handouts.project import Edition
 from occgrid_handouts.snippets import read_snippets
+from occgrid_handouts.starter_programs import DECLARATIONS
 from occgrid_parity.ports.snippets import Snippet
 
 # what answers the shared vectors: the port's probe
@@ -40,46 +41,6 @@ PROBES: Mapping[str, tuple[str, ...]] = {
         "mathematica/tests/probe.wls",
         "mathematica/tests/answers.wl",
     ),
-}
-
-# how a stage is built, run and asked, as port.toml says it
-DECLARATIONS: Mapping[str, str] = {
-    "python": """\
-build = []
-run = ["{python}", "{port}/run.py", "{mode}", "--plain", "--out", "{out}", "{scenario}"]
-timeout = 60
-probe = ["{python}", "{port}/ask.py", "{function}", "{input}", "{output}"]
-""",
-    "cpp": """\
-build = [
-    ["cmake", "-S", "{port}", "-B", "{port}/build", "-DOCCGRID_WERROR=OFF"],
-    ["cmake", "--build", "{port}/build", "--parallel", "2", "--target", "occgrid", "probe"],
-]
-run = ["{port}/build/occgrid", "{mode}", "--plain", "--out", "{out}", "{scenario}"]
-timeout = 60
-probe = ["{port}/build/probe", "{function}", "{input}", "{output}"]
-""",
-    "java": """\
-build = [
-    ["javac", "-d", "{port}/classes", "-sourcepath", "{port}/src/main/java",
-     "{port}/src/main/java/occgrid/Main.java", "{port}/src/test/java/occgrid/Probe.java"],
-]
-run = ["java", "-cp", "{port}/classes", "occgrid.Main", "{mode}", "--plain", "--out", "{out}", "{scenario}"]
-timeout = 60
-probe = ["java", "-cp", "{port}/classes", "occgrid.Probe", "{function}", "{input}", "{output}"]
-""",
-    "matlab": """\
-build = []
-run = ["sh", "{port}/matlab.sh", "occgrid", "{mode}", "--plain", "--out", "{out}", "{scenario}"]
-timeout = 60
-probe = ["sh", "{port}/matlab.sh", "probe", "{function}", "{input}", "{output}"]
-""",
-    "mathematica": """\
-build = []
-run = ["sh", "{port}/wolfram.sh", "{port}/occgrid.wls", "{mode}", "--plain", "--out", "{out}", "{scenario}"]
-timeout = 300
-probe = ["sh", "{port}/wolfram.sh", "{port}/tests/probe.wls", "{function}", "{input}", "{output}"]
-""",
 }
 
 NOT_WRITTEN_HPP = """\
@@ -243,7 +204,7 @@ def _stage(
     )
     files["port.toml"] = (
         f'name = "exercise-{exercise.number}"\nlanguage = "{language.name}"\n'
-        + DECLARATIONS[language.id]
+        + DECLARATIONS[language.id].toml()
     )
     files["starter.toml"] = starter_toml(language, exercise, functions)
     files["README.txt"] = readme(language, exercise, functions)

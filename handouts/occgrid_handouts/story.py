@@ -25,9 +25,10 @@ Mask = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True)
 class Story:
-    """The tables, as data, and the cells that the drawings disagree on."""
+    """The tables, as data, the maps (the contract's first), and the cells that they disagree on."""
 
     facts: dict[str, object]
+    drawn: list[Drawn]
     bits_differ: Mask  # (height, width) in some bit of the log-odds
     seen_to_differ: Mask  # (height, width) in the picture
 
@@ -96,7 +97,7 @@ def tell_story(programs: Path, work: Path) -> Story:
         "bits_differ": int(bits.sum()),
         "seen_to_differ": int(seen.sum()),
     }
-    return Story(facts, bits, seen)
+    return Story(facts, [contract, *drawn], bits, seen)
 
 
 def differing(a: Array, b: Array) -> Mask:

@@ -52,6 +52,12 @@ def prepare(folder: Path, facts: Mapping[str, object]) -> None:
     (folder / "data.json").write_text(text, encoding="utf-8")
 
 
+def write_speech(folder: Path, words: Mapping[str, str]) -> None:
+    """Lays beside the text how its equations are read aloud, which PDFs need."""
+    text = json.dumps(words, ensure_ascii=False, indent=1)
+    (folder / "speech.json").write_text(text, encoding="utf-8")
+
+
 def typeset(
     folder: Path,
     main: str,

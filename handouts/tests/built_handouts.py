@@ -18,6 +18,8 @@ from occgrid_handouts.snippets import read_snippets
 from occgrid_handouts.web_pages import NAMES as WEB_PAGES
 from occgrid_parity.ports.snippets import Snippet
 
+# a telephone's, and a desk's
+WIDTHS = (390, 1280)
 REQUIRE_ALL = os.environ.get("PARITY_REQUIRE_ALL") == "1"
 
 
@@ -64,12 +66,12 @@ def needs(package: str, *commands: str) -> str:
 
 
 def build_into(folder: Path) -> Handouts:
-    """Builds everything into a folder; OCCGRID_HANDOUTS names one that has been built just before."""
+    """Builds everything into a folder that is not there yet; OCCGRID_HANDOUTS names one that was built just before."""
     edition = current_edition()
     built = os.environ.get("OCCGRID_HANDOUTS")
     if built:
         folder = Path(built)
-    else:
+    elif not folder.exists():
         build(
             ROOT,
             folder,

@@ -1,152 +1,106 @@
-"""The pages in a browser: nothing leaves the page at the width of a phone or a desk, and tabs are remembered."""
+"""The pages in a browser: nothing leaves the page, what scrolls is reached with the keyboard, tabs are remembered."""
 
 from __future__ import annotations
 
-import html
-import json
-import re
-import subprocess
-from collections.abc import Mapping
-from pathlib import Path
-from typing import Any
 from urllib.parse import parse_qsl
 
 import pytest
+from playwright.sync_api import Browser, Page
 
-from built_handouts import Handouts, needs
-
-OPTIONS = (
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--allow-file-access-from-files",
-    "--virtual-time-budget=20000",
-)
+from built_handouts import WIDTHS, Handouts
 
 # What reaches over the right edge, unless it lies in a box that scrolls.
-MEASURE = """
-<script>
-addEventListener("load", function () {
-  var width = document.documentElement.clientWidth, over = [];
-  document.querySelectorAll("body *").forEach(function (e) {
-    if (e.closest("math, svg") || e.getBoundingClientRect().right <= width + 1) { return; }
-    for (var p = e.parentElement; p; p = p.parentElement) {
-      if (getComputedStyle(p).overflowX === "auto") { return; }
-    }
-    over.push(e.tagName + " " + e.className + ": " + e.textContent.slice(0, 40));
-  });
-  parent.postMessage({width: width, over: over, page: location.pathname}, "*");
-});
-</script>
-"""
-FRAME = """<!DOCTYPE html><title>waiting</title>
-<script>
-var said = [];
-onmessage = function (e) { said.push(e.data); document.title = JSON.stringify(said); };
-</script>
-"""
-STATE = """
-<script>
-addEventListener("load", function () {
-  setTimeout(function () { document.title = occgridPage.address(); }, 1000);
-});
-</script>
-"""
-REMEMBER = """
-<script>
-var chosen = document.querySelector("[role=tab][aria-selected=true]").dataset.language;
-if (!location.search) {
-  document.querySelector("[role=tab][data-language=cpp]").click();
-  location.search = "?again";
-} else { document.title = "remembered: " + chosen; }
-</script>
-"""
+OVER_THE_EDGE = """() => {
+  const width = document.documentElement.clientWidth, over = [];
+  for (const e of document.querySelectorAll("body *")) {
+    if (e.closest("math, svg") || e.getBoundingClientRect().right <= width + 1) continue;
+    let p = e.parentElement;
+    while (p && getComputedStyle(p).overflowX !== "auto") p = p.parentElement;
+    if (!p) over.push(`${e.tagName} ${e.className}: ${e.textContent.slice(0, 40)}`);
+  }
+  return over;
+}"""
+
+# The boxes that scroll sideways, marked, and how many there are.
+MARK_SCROLLING = """() => {
+  const boxes = [...document.querySelectorAll("body *")].filter(e =>
+    getComputedStyle(e).overflowX === "auto" && e.scrollWidth > e.clientWidth);
+  boxes.forEach(box => box.classList.add("scrolls"));
+  return boxes.length;
+}"""
 
 
-def title_in_browser(folder: Path, name: str, address: str = "") -> str:
-    """The title of a page after its scripts have run; the address is what follows the page's name, "#" included."""
-    browser = needs("chromium", "chromium", "google-chrome")
-    done = subprocess.run(
-        [
-            browser,
-            *OPTIONS,
-            f"--user-data-dir={folder / 'profile'}",
-            "--dump-dom",
-            "--window-size=1400,1000",
-            (folder / name).as_uri() + address,
-        ],
-        capture_output=True,
-        text=True,
-        timeout=300,
-    )
-    found = re.search(r"<title>([^<]*)</title>", done.stdout)
-    assert found, done.stderr
-    return found[1]
+def open_page(
+    browser: Browser, handouts: Handouts, name: str, width: int
+) -> Page:
+    page = browser.new_page(viewport={"width": width, "height": 900})
+    page.goto(f"{handouts.folder.as_uri()}/{name}")
+    return page
 
 
-def with_script(handouts: Handouts, name: str, script: str) -> str:
-    page = (handouts.folder / name).read_text(encoding="utf-8")
-    return page.replace("</body>", script + "</body>")
-
-
-def measured(
-    folder: Path, pages: Mapping[str, str], width: int
-) -> list[dict[str, Any]]:
-    """What each page says of itself in a frame of that width."""
-    frames = []
-    for name, page in pages.items():
-        file = name.replace("/", "-")
-        (folder / file).write_text(page, encoding="utf-8")
-        style = f"width: {width}px; height: 900px; border: 0"
-        frames.append(f'<iframe src="{file}" style="{style}"></iframe>')
-    (folder / "frame.html").write_text(FRAME + "\n".join(frames))
-    title = title_in_browser(folder, "frame.html")
-    said: list[dict[str, Any]] = json.loads(html.unescape(title))
-    assert len(said) == len(pages)
-    return said
-
-
-@pytest.mark.parametrize("width", [390, 1280])
+@pytest.mark.parametrize("width", WIDTHS)
 def test_nothing_leaves_a_page(
-    handouts: Handouts, tmp_path: Path, width: int
+    handouts: Handouts, browser: Browser, width: int
 ) -> None:
-    pages = {
-        name: with_script(handouts, name, MEASURE) for name in handouts.pages()
-    }
-    for said in measured(tmp_path, pages, width):
-        assert said["over"] == [], said["page"]
-        assert width - 20 <= said["width"] <= width
+    for name in handouts.pages():
+        page = open_page(browser, handouts, name, width)
+        assert page.evaluate(OVER_THE_EDGE) == [], name
+        page.close()
 
 
 def test_element_over_the_edge_is_noticed(
-    handouts: Handouts, tmp_path: Path
+    handouts: Handouts, browser: Browser
 ) -> None:
-    wide = '<p style="width: 50rem">wide</p>' + MEASURE
-    page = with_script(handouts, "student/index.html", wide)
-    (said,) = measured(tmp_path, {"index.html": page}, 390)
-    assert said["over"] == ["P : wide"]
+    page = open_page(browser, handouts, "student/index.html", 390)
+    page.evaluate(
+        "document.body.insertAdjacentHTML('beforeend',"
+        " '<p style=\\'width: 50rem\\'>wide</p>')"
+    )
+    assert page.evaluate(OVER_THE_EDGE) == ["P : wide"]
+    page.close()
+
+
+def test_what_scrolls_is_reached_with_the_keyboard(
+    handouts: Handouts, browser: Browser
+) -> None:
+    """Long equations, tables and code: each gets the focus once, and an arrow key moves it."""
+    page = open_page(browser, handouts, "student/python.html", 390)
+    boxes = page.evaluate(MARK_SCROLLING)
+    assert page.locator(".formula.scrolls").count() > 3
+    reached = 0
+    for _ in range(1000):
+        page.keyboard.press("Tab")
+        if page.evaluate("document.activeElement === document.body"):
+            break
+        focused = page.locator(".scrolls:focus")
+        reached += focused.count()
+        if focused.count() and "formula" in str(
+            focused.get_attribute("class")
+        ):
+            assert focused.get_attribute("aria-label") == "Equation"
+            page.keyboard.press("ArrowRight")
+            page.wait_for_function("document.activeElement.scrollLeft > 0")
+    assert reached == boxes
+    page.close()
 
 
 def test_language_of_the_tabs_is_remembered(
-    handouts: Handouts, tmp_path: Path
+    handouts: Handouts, browser: Browser
 ) -> None:
-    page = with_script(handouts, "student/python.html", REMEMBER)
-    (tmp_path / "page.html").write_text(page)
-    assert title_in_browser(tmp_path, "page.html") == "remembered: cpp"
+    page = open_page(browser, handouts, "student/python.html", 1280)
+    chosen = page.locator("[role=tab][aria-selected=true]").first
+    assert chosen.get_attribute("data-language") == "python"
+    page.locator("[role=tab][data-language=cpp]").first.click()
+    page.reload()
+    assert chosen.get_attribute("data-language") == "cpp"
+    page.close()
 
 
 def test_links_to_play_open_the_state_that_they_ask_for(
-    handouts: Handouts, tmp_path: Path
+    handouts: Handouts, browser: Browser
 ) -> None:
     if not (handouts.folder / "student" / "play.html").is_file():
         pytest.skip("this build could not make play.html")
-    page = with_script(handouts, "student/play.html", STATE)
-    (tmp_path / "play.html").write_text(page, encoding="utf-8")
     targets = {
         element.attributes.get("href", "")
         for name in handouts.pages()
@@ -160,6 +114,13 @@ def test_links_to_play_open_the_state_that_they_ask_for(
     }
     assert len(states) == 6
     for state in sorted(states):
-        title = title_in_browser(tmp_path, "play.html", "#" + state)
-        shown = html.unescape(title).removeprefix("#")
-        assert set(parse_qsl(state)) <= set(parse_qsl(shown)), (state, shown)
+        page = open_page(browser, handouts, f"student/play.html#{state}", 1280)
+        page.wait_for_function("window.occgridPage !== undefined")
+        expected = set(parse_qsl(state))
+        for _ in range(100):
+            shown = page.evaluate("occgridPage.address()").removeprefix("#")
+            if expected <= set(parse_qsl(shown)):
+                break
+            page.wait_for_timeout(100)
+        assert expected <= set(parse_qsl(shown)), (state, shown)
+        page.close()

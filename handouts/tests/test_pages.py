@@ -267,6 +267,6 @@ def test_index_lists_everything(handouts: Handouts) -> None:
                 assert f"starter-{language.id}.zip" in links
                 assert f"occupancy-grid-{language.id}.zip" in links
             else:
-                patch = f"solutions/{language.id}/exercise-5.patch"
-                assert patch in links
+                solution = f"solutions/{language.id}/exercise-5"
+                assert {f"{solution}.patch", f"{solution}.class.toml"} <= links
         assert "python.ipynb" in links

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 from built_handouts import needs
 from occgrid.mapper import map_scenario
 from occgrid.scenario import read_scenario
+from occgrid_handouts.class_rules import class_rules, rules_name
 from occgrid_handouts.exercises import EXERCISES, native_name, not_written
 from occgrid_handouts.function_bodies import CutError, without_body
 from occgrid_handouts.languages import BY_ID, LANGUAGES
@@ -19,14 +22,15 @@ from occgrid_handouts.port_maps import count_differing, read_log_odds
 from occgrid_handouts.project import ROOT
 from occgrid_handouts.snippets import read_snippets
 from occgrid_handouts.starters import Stage, make_stages, starter_functions
+from occgrid_parity.check.levels import FILE, LEVELS, ORIENTATION, RUNS
 from occgrid_parity.check.starter import starter_lines
+from occgrid_parity.course.rules import read_rules
 from occgrid_parity.ports.building import build_port
 from occgrid_parity.ports.declaration import Port, read_port
 from occgrid_parity.processes.process_group import run_process
 
 # the lesson takes an interpreter of the Wolfram Language a minute
 SCENARIOS = ("one-beam", "octants", "outside", "prior")
-pytestmark = pytest.mark.long
 TOOLS = {
     "python": ("python3", "python3"),
     "cpp": ("g++ cmake libeigen3-dev", "cmake"),
@@ -67,6 +71,7 @@ def map_with(port: Port, scenario: str, work: Path) -> tuple[int | None, str]:
     return finished.exit_status, finished.stderr.read_text()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("language", sorted(BY_ID))
 def test_every_stage(language: str, tmp_path: Path) -> None:
     """Without its functions it fails with the right words; with its solution its maps are the reference's."""
@@ -116,6 +121,7 @@ def differing(port: Port, scenario: str, work: Path) -> int:
     return count_differing(read_log_odds(file), np.asarray(expected))
 
 
+@pytest.mark.long
 def test_check_says_what_is_missing_and_what_is_wrong(tmp_path: Path) -> None:
     stage = make_stages(ROOT, BY_ID["python"])[3]
     write_stage(stage, tmp_path)
@@ -165,3 +171,52 @@ def test_function_that_is_not_there_is_refused() -> None:
     for language in LANGUAGES:
         with pytest.raises(CutError, match="no function absent"):
             without_body(language.id, "x = 1\n", "absent", "", "")
+
+
+def test_rules_of_a_class_can_be_read(tmp_path: Path) -> None:
+    known = {level for level, _ in (RUNS, FILE, ORIENTATION)}
+    known |= {level.name for level in LEVELS}
+    for language in LANGUAGES:
+        for exercise in EXERCISES:
+            path = tmp_path / rules_name(exercise)
+            path.write_text(class_rules(language, exercise))
+            rules = read_rules(path)
+            assert rules.program.run is not None
+            assert set(rules.points) <= known
+            assert sum(rules.points.values()) == 10
+
+
+@pytest.mark.long
+def test_class_of_a_starter_and_its_solution(tmp_path: Path) -> None:
+    """Behind a wall where there is one: all points for the solution, and none for what has not been written."""
+    needs(*TOOLS["java"])
+    language, submissions = BY_ID["java"], tmp_path / "submissions"
+    stage = make_stages(ROOT, language)[2]
+    for name in ("unwritten", "solved"):
+        write_stage(stage, submissions / name)
+    subprocess.run(
+        ["patch", "-p1", "--silent"],
+        cwd=submissions / "solved",
+        input=stage.patch,
+        text=True,
+        check=True,
+    )
+    rules = tmp_path / rules_name(stage.exercise)
+    rules.write_text(class_rules(language, stage.exercise))
+    command = [
+        str(Path(sys.executable).with_name("occgrid-parity")),
+        *("check", "--class", str(submissions), "--rules", str(rules)),
+        *("--sandbox", "auto"),
+    ]
+    done = subprocess.run(
+        command, cwd=tmp_path, capture_output=True, text=True
+    )
+    summary = tmp_path / "occgrid-parity-check" / "summary.csv"
+    assert summary.is_file(), done.stdout + done.stderr
+    with summary.open(newline="") as file:
+        rows = {row["submission"]: row for row in csv.DictReader(file)}
+    marks = {
+        name: (float(row["points"]), float(row["maximum"]))
+        for name, row in rows.items()
+    }
+    assert marks == {"unwritten": (0.0, 10.0), "solved": (10.0, 10.0)}

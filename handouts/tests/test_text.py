@@ -6,15 +6,23 @@ import json
 from pathlib import Path
 
 import pytest
-import typst
 
+from built_handouts import REQUIRE_ALL
+from occgrid_handouts.page_tree import Element
 from occgrid_handouts.project import ROOT
+from occgrid_handouts.speech import (
+    SpeechError,
+    missing_tool,
+    without_formulas,
+    words,
+)
 from occgrid_handouts.typesetting import (
     TEXT,
     Kind,
     TypesettingError,
     typeset,
     with_spoken_math,
+    write_speech,
 )
 from occgrid_parity.ports.contributing import snippet_names
 
@@ -37,8 +45,21 @@ def compile_text(folder: Path, text: str, kind: Kind = "html") -> bytes:
         "programs": {"python": {}},
     }
     (folder / "data.json").write_text(json.dumps(facts))
-    (folder / "main.typ").write_text(LIB + TITLE + with_spoken_math(text))
+    written = LIB + TITLE + with_spoken_math(text)
+    if kind == "pdf":
+        write_speech(folder, equation_words(folder, written))
+    (folder / "main.typ").write_text(written)
     return typeset(folder, "main.typ", "python", "student", kind, 0)
+
+
+def equation_words(folder: Path, written: str) -> dict[str, str]:
+    """How the equations of a text are read aloud."""
+    problem = missing_tool(ROOT)
+    if problem:
+        pytest.fail(problem) if REQUIRE_ALL else pytest.skip(problem)
+    (folder / "main.typ").write_text(f"{written}\n#formulas\n")
+    page = typeset(folder, "main.typ", "python", "student", "html", 0)
+    return words(ROOT, without_formulas(page.decode())[1])
 
 
 def test_listing_has_file_and_real_line_numbers(tmp_path: Path) -> None:
@@ -85,42 +106,54 @@ def test_inline_equations_are_found() -> None:
     )
 
 
-@pytest.mark.parametrize(
-    ("equation", "said"),
-    [
-        ("m_i = 1", "m sub i equals 1"),
-        ("a / r", "a over r"),
-        (
-            "(x - o_x) / r",
-            "the fraction x minus o sub x over r, end of fraction",
-        ),
-        (
-            "abs(d_i - z) <= alpha",
-            "the absolute value of d sub i minus z, end of absolute value, "
-            "is at most alpha",
-        ),
-        ("phi^((k))", "phi superscript k"),
-        ("O_0^t", "O sub 0 to the t"),
-        ("z_max", "z sub max"),
-    ],
-)
-def test_equations_are_read_aloud(
-    tmp_path: Path, equation: str, said: str
-) -> None:
+READ_ALOUD = {
+    "m_i = 1": "m sub i, equals 1",
+    "a \\/ r": "a divided by r",
+    "(x - o_x) / r": (
+        "the fraction with numerator x minus, o sub x, and denominator r, "
+        "end fraction"
+    ),
+    "abs(d_i - z) <= alpha": (
+        "the absolute value of, d sub i, minus z, end absolute value, "
+        "is less than or equal to alpha"
+    ),
+    # not "the if of the absolute value"
+    'cases(p & "if" abs(d) <= 1 "and" z < 2, q & "otherwise.")': (
+        "2 cases, Case 1: p; if, the absolute value of d, "
+        "end absolute value, is less than or equal to 1 and z is less than 2."
+        " Case 2: q; otherwise"
+    ),
+    # a number above the line, and a power
+    "phi^((k))": "phi superscript k",
+    "z_t^((k)) > 0": "z sub t, superscript k is greater than 0",
+    "O_0^t": "O sub 0, to the t-th power",
+    "O_t (i) = O_(t-1) (i)": "O sub t, of i, equals, O sub t minus 1, of i",
+    "p(m | x)": "p of, open paren, m given x, close paren",
+    "sqrt(x) y": "the square root of x, end root, y",
+    "Delta_x": "Delta sub x",
+    "z_max": "z sub max",
+}
+
+
+def test_equations_are_read_aloud(tmp_path: Path) -> None:
     compile_text(tmp_path, "")
+    text = "\n".join(f"${equation}$" for equation in READ_ALOUD)
+    said = equation_words(tmp_path, LIB + with_spoken_math(text))
+    assert list(said.values()) == list(READ_ALOUD.values())
+
+
+def test_equation_without_words_is_refused(tmp_path: Path) -> None:
+    compile_text(tmp_path, "$x$", "pdf")
     (tmp_path / "main.typ").write_text(
-        LIB + f"#metadata(spoken(${equation}$.body)) <said>"
+        LIB + TITLE + with_spoken_math("$y$ is new")
     )
-    compiler = typst.Compiler(
-        str(tmp_path / "main.typ"),
-        sys_inputs={
-            "language": "python",
-            "edition": "student",
-            "format": "pdf",
-        },
-    )
-    found = json.loads(compiler.query("<said>", field="value", one=True))
-    assert found == said
+    with pytest.raises(TypesettingError, match="no words for the equation"):
+        typeset(tmp_path, "main.typ", "python", "student", "pdf", 0)
+
+
+def test_converter_that_fails_is_noticed(tmp_path: Path) -> None:
+    with pytest.raises(SpeechError, match=r"speak\.mjs"):
+        words(tmp_path, {"x": Element("math", {}, ["x"])})
 
 
 def test_no_vocabulary_of_the_workplace() -> None:

@@ -1,4 +1,5 @@
-map = occgrid.mapper.map_scenario(occgrid.lesson.lesson_scenario(), []);
+scenario = occgrid.lesson.lesson_scenario();
+map = occgrid.fast.map_scenario_fast(scenario, []);
 p = occgrid.grid.probability_grid(map);
 fprintf('%d cells were seen\n', nnz(p ~= 0.5));
 if ~isempty(getenv('DISPLAY')) || ispc || ismac
