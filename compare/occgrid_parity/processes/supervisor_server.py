@@ -85,14 +85,12 @@ class Server:
 
     def _end(self, supervisor: int) -> None:
         """Ends a supervisor, which ends its command."""
-        for number, grace in (
-            (signal.SIGTERM, KILL_GRACE),
-            (signal.SIGKILL, KILL_GRACE),
-        ):
-            os.kill(supervisor, number)
-            if self._has_said_something(grace):
-                self._number(ENDED)
-                return
+        if sys.platform != "win32":
+            for number in (signal.SIGTERM, signal.SIGKILL):
+                os.kill(supervisor, number)
+                if self._has_said_something(KILL_GRACE):
+                    self._number(ENDED)
+                    return
 
     def _say(self, text: str) -> None:
         assert self.process.stdin is not None
@@ -128,33 +126,6 @@ def run_supervised(
         raise
 
 
-def serve(parent: int) -> None:
-    """In the server: forks a supervisor for every file of settings whose name comes in, and says how it goes."""
-    prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    if os.getppid() != parent:
-        return  # it has ended meanwhile
-    from occgrid_parity.processes.supervisor import supervise_file
-
-    server = os.getpid()
-    for name in _names():
-        pid = os.fork()
-        if pid == 0:
-            os.setsid()
-            null = os.open(os.devnull, os.O_RDWR)
-            for number in (0, 1):
-                os.dup2(null, number)
-            said = os.open(f"{name}.said", os.O_WRONLY | os.O_CREAT, 0o600)
-            os.dup2(said, 2)
-            try:
-                supervise_file(Path(name), server)
-            finally:
-                sys.stderr.flush()
-            os._exit(0)
-        os.write(1, f"{STARTED} {pid}\n".encode())
-        os.waitpid(pid, 0)
-        os.write(1, f"{ENDED} {pid}\n".encode())
-
-
 def _names() -> Iterator[str]:
     """What comes in on standard input, each up to a NUL."""
     text = b""
@@ -165,5 +136,33 @@ def _names() -> Iterator[str]:
             yield name.decode()
 
 
-if __name__ == "__main__":
-    serve(int(sys.argv[1]))
+if sys.platform != "win32":
+
+    def serve(parent: int) -> None:
+        """In the server: forks a supervisor for every file of settings whose name comes in, and says how it goes."""
+        prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:
+            return  # it has ended meanwhile
+        from occgrid_parity.processes.supervisor import supervise_file
+
+        server = os.getpid()
+        for name in _names():
+            pid = os.fork()
+            if pid == 0:
+                os.setsid()
+                null = os.open(os.devnull, os.O_RDWR)
+                for number in (0, 1):
+                    os.dup2(null, number)
+                said = os.open(f"{name}.said", os.O_WRONLY | os.O_CREAT, 0o600)
+                os.dup2(said, 2)
+                try:
+                    supervise_file(Path(name), server)
+                finally:
+                    sys.stderr.flush()
+                os._exit(0)
+            os.write(1, f"{STARTED} {pid}\n".encode())
+            os.waitpid(pid, 0)
+            os.write(1, f"{ENDED} {pid}\n".encode())
+
+    if __name__ == "__main__":
+        serve(int(sys.argv[1]))

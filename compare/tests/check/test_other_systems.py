@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from occgrid_parity.processes import limits
+from occgrid_parity.processes import limits, supervisor_server
 from occgrid_parity.processes.limits import MEBI, Limits, not_held, run_limited
 from occgrid_parity.programs.command_words import join_words, split_words
 
@@ -62,6 +62,7 @@ def test_limits_that_the_system_does_not_set(
 ) -> None:
     """What a program takes is looked at instead."""
     monkeypatch.setattr(limits, "SUPERVISOR", (str(LIKE_WINDOWS), SUPERVISOR))
+    monkeypatch.setattr(supervisor_server, "WORKS", False)
     ended = run_limited(
         [sys.executable, "-c", code],
         cwd=tmp_path,
