@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from occgrid_parity.explain.closeness import compare_with_reference
+from occgrid_parity.mistakes import reading_mistakes
 from occgrid_parity.mistakes.catalogue import MISTAKES
 from occgrid_parity.model import arithmetic
 from occgrid_parity.model.mapper_steps import Mapper
@@ -14,7 +15,32 @@ from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import case
 from occgrid_parity.suite.modes import Mode
 
-__all__ = ["MISTAKES", "Mapper", "World", "arithmetic", "closeness", "world"]
+__all__ = [
+    "MISTAKES",
+    "READING",
+    "SCENARIOS",
+    "SEED",
+    "Mapper",
+    "World",
+    "arithmetic",
+    "full_check",
+    "misread_world",
+    "world",
+]
+
+# Mistakes in how a file is read, which the pages do not know.
+READING = {mistake.name for mistake in reading_mistakes.MISTAKES}
+# One scenario where most mistakes show, and those for the others; with noise, which some of them are about.
+SCENARIOS = (
+    "asymmetric",
+    "no-return-free",
+    "no-return-ignore",
+    "saturate",
+    "prior",
+    "outside",
+    "powers",
+)
+SEED = 3
 
 Pixels = npt.NDArray[np.int64]
 
@@ -24,7 +50,12 @@ def world(name: str) -> World:
     return world_of(case(name))
 
 
-def closeness(name: str, pixels: Pixels) -> str:
-    """What the full check says of a picture without noise: identical, halves, edges or differs."""
+def misread_world(mistake: str, name: str) -> World:
+    """A scenario of the suite as a program with a mistake in its reading takes it."""
+    return world_of(MISTAKES[mistake].reads(case(name)))
+
+
+def full_check(name: str, pixels: Pixels, seed: int | None = None) -> str:
+    """What the full check says of a picture: identical, halves, edges or differs."""
     observed = Observed(pixels.astype(np.uint16), None, "")
-    return str(compare_with_reference(observed, case(name), Mode(None)).status)
+    return str(compare_with_reference(observed, case(name), Mode(seed)).status)

@@ -37,15 +37,19 @@ def unavailable(reason: str) -> None:
     pytest.skip(reason)
 
 
+def build_pages(folder: Path) -> None:
+    subprocess.run(
+        ["node", WEB / "build.mjs", folder], check=True, capture_output=True
+    )
+
+
 @pytest.fixture(scope="session")
 def pages(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder with play.html and check.html."""
     if not (WEB / "node_modules" / "esbuild").is_dir():
         unavailable("web/node_modules is missing: npm ci in web/")
     folder = tmp_path_factory.mktemp("pages")
-    subprocess.run(
-        ["node", WEB / "build.mjs", folder], check=True, capture_output=True
-    )
+    build_pages(folder)
     return folder
 
 
@@ -95,6 +99,20 @@ def open_page(browser: Browser, pages: Path) -> Iterator[Open]:
         for url in requests
         if not url.startswith("blob:")
     ), requests
+
+
+DROP = """([selector, name, text]) => {
+  const dataTransfer = new DataTransfer();
+  dataTransfer.items.add(new File([text], name));
+  document.querySelector(selector).dispatchEvent(
+    new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+}"""
+
+
+def drop_file(page: Page, place: str, file: Path) -> None:
+    """Lets go of a file over a place of the page."""
+    text = file.read_text(encoding="ascii")
+    page.evaluate(DROP, [place, file.name, text])
 
 
 def log_odds_of(path: Path) -> npt.NDArray[np.float64]:

@@ -7,7 +7,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pages_in_browser import GOLDEN, Open, hash_of, log_odds_of, python_map
+from pages_in_browser import (
+    GOLDEN,
+    ROOT,
+    Open,
+    drop_file,
+    hash_of,
+    log_odds_of,
+    python_map,
+)
 from playwright.sync_api import Page
 
 HASH = "occgridPage.hash()"
@@ -97,15 +105,17 @@ def test_playing_ends_with_the_whole_map(open_page: Open) -> None:
 
 
 def hover(page: Page, canvas: str, gx: float, gy: float) -> None:
-    """Put the mouse on a place of a grid of 220 x 180 cells."""
+    """Put the mouse on a place of a grid of 220 x 180 cells, with some of the world around it."""
     view = page.locator(canvas)
     view.scroll_into_view_if_needed()
     box = view.bounding_box()
     assert box is not None
+    pad = page.evaluate("occgridPage.lab.pad")
     # the border is one pixel
-    scale = (box["width"] - 2) / 220
+    scale = (box["width"] - 2) / (pad["left"] + 220 + pad["right"])
     page.mouse.move(
-        box["x"] + 1 + gx * scale, box["y"] + 1 + (180 - gy) * scale
+        box["x"] + 1 + (pad["left"] + gx) * scale,
+        box["y"] + 1 + (pad["top"] + 180 - gy) * scale,
     )
 
 
@@ -253,6 +263,73 @@ def test_walls_drawn_moved_typed_and_removed(
     assert "WALL -8 2 -2 2\n" not in compare()
 
 
+def test_a_wall_is_added_a_file_dropped_and_the_lesson_restored(
+    open_page: Open, tmp_path: Path
+) -> None:
+    page = open_page("play", "#scan=120&noise=free")
+    scenario = saved_scenario(page, tmp_path)
+    page.locator("#add-wall").click()
+    added = saved_scenario(page, tmp_path)
+    assert added == scenario.replace("\nPOSE", "\nWALL -1 0 1 0\nPOSE", 1), (
+        added
+    )
+    expected = python_map(added, tmp_path, "--noise-free")
+    assert page.evaluate(HASH) == hash_of(expected)
+    drop_file(page, "#drop", ROOT / "scenarios" / "outside.log")
+    page.locator("#file-words", has_text="outside.log: ").wait_for()
+    page.evaluate("occgridPage.lab.goTo(occgridPage.lab.scans.length)")
+    last = (GOLDEN / "outside.noise-free.sha256").read_text().split()[-1]
+    assert page.evaluate(HASH) == last
+    page.locator("#restore").click()
+    page.evaluate("occgridPage.lab.goTo(120)")
+    assert page.evaluate(HASH) == golden("noise-free")[-1]
+
+
+@pytest.mark.parametrize(
+    ("box", "canvas"),
+    [("show-changes", "map-view"), ("show-differences", "wrong-view")],
+)
+def test_marks_can_be_switched_off(
+    open_page: Open, box: str, canvas: str
+) -> None:
+    """Without them a picture is grey but for its frames and the robot."""
+    page = open_page("play", "#scan=30&mistake=hit-also-free")
+
+    def coloured() -> int:
+        words(page, "map-words")
+        count = page.locator(f"#{canvas}").evaluate(
+            "e => { const { width, height } = e;"
+            " const { data } = e.getContext('2d').getImageData(0, 0, width, height);"
+            " let n = 0; for (let i = 0; i < data.length; i += 4)"
+            " n += data[i] !== data[i + 1] || data[i] !== data[i + 2]; return n; }"
+        )
+        return int(count)
+
+    marked = coloured()
+    page.locator(f"#{box}").uncheck()
+    assert coloured() < marked / 4
+    page.locator(f"#{box}").check()
+    assert coloured() == marked
+
+
+def test_the_cell_and_what_if_follow_when_a_slider_rests(
+    open_page: Open,
+) -> None:
+    """They wait while it moves."""
+    page = open_page("play", "#scan=120&cell=99,111&mistake=hit-also-free")
+    before = words(page, "cell-words"), words(page, "difference-words")
+    for value in (0.8, 0.85, 0.9):
+        set_value(page, "p_occ", value)
+    page.wait_for_timeout(500)
+    after = words(page, "cell-words"), words(page, "difference-words")
+    assert before[0] != after[0]
+    assert before[1] != after[1]
+    log_odds = page.evaluate(
+        "occgridPage.lab.maps().now[111 * 220 + 99].toString()"
+    )
+    assert f"Log-odds {log_odds}, " in after[0]
+
+
 def test_the_robot_is_dragged_turned_and_put_back(
     open_page: Open, tmp_path: Path
 ) -> None:
@@ -385,6 +462,10 @@ def test_a_log_without_our_parameters_gets_a_grid(
     (tmp_path / "bad.log").write_text("WALL 1 2 3\n")
     page.set_input_files("#file", tmp_path / "bad.log")
     page.locator("#file-words", has_text="bad.log:1: WALL takes 4").wait_for()
+    (tmp_path / "none.log").write_text(scenario.split("FLASER")[0])
+    page.set_input_files("#file", tmp_path / "none.log")
+    page.locator("#file-words", has_text="none.log: no scan").wait_for()
+    assert page.evaluate(HASH) == hash_of(log_odds)
 
 
 def test_keys_choose_a_cell(open_page: Open) -> None:
@@ -411,8 +492,41 @@ def test_a_finger_chooses_a_cell_and_moves_the_robot(
     box = view.bounding_box()
     assert box is not None
     page.touchscreen.tap(box["x"] + box["width"] / 2, box["y"] + 40)
-    assert "Cell gx=110" in words(page, "cell-words")
+    left = page.evaluate("occgridPage.lab.pad.left")
+    assert f"Cell gx={(220 + left) // 2 - left} " in words(page, "cell-words")
     assert page.evaluate("document.documentElement.scrollWidth") == 390
+
+
+def test_the_robot_is_seen_and_dragged_outside_the_grid(
+    open_page: Open, tmp_path: Path
+) -> None:
+    """The pictures show as much of the world as the path needs."""
+    page = open_page("play", "#scan=60&noise=free")
+    assert page.evaluate("occgridPage.lab.pad") == {
+        "left": 15,
+        "right": 0,
+        "bottom": 0,
+        "top": 0,
+    }
+    pose = page.evaluate("occgridPage.lab.scans[59].pose")
+    assert pose["x"] < -11.9
+    drag(page, (pose["x"], pose["y"]), (pose["x"] + 1.0, pose["y"]))
+    free = page.evaluate("occgridPage.lab.free")
+    assert free["x"] == pytest.approx(pose["x"] + 1.0, abs=0.05)
+
+
+def test_keys_of_the_world_play_and_step(open_page: Open) -> None:
+    page = open_page("play", "#scan=2&beam=179&noise=free")
+    page.locator("#world-view").focus()
+    page.keyboard.press(".")
+    page.keyboard.press(".")
+    assert page.evaluate(HASH) == golden("noise-free")[1]
+    page.keyboard.press(",")
+    assert words(page, "beam-text") == "beam 180 of 181"
+    page.keyboard.press("Space")
+    page.wait_for_function("occgridPage.lab.scan > 3")
+    page.keyboard.press("Space")
+    assert page.evaluate("occgridPage.lab.playing") is False
 
 
 def test_reduced_motion_plays_slowly(open_page: Open) -> None:

@@ -64,6 +64,11 @@ async function check() {
   if (file === null) return;
   say("note", ["Reading …"]);
   element("result").hidden = false;
+  const mode = seed() === null ? "without noise" : `with seed ${seed()}`;
+  setText(
+    element("checked"),
+    `${file.name}, compared with ${choice.selectedOptions[0].text} ${mode}.`,
+  );
   element("figures").hidden = true;
   shownNow = null;
   let found;

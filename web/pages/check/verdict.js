@@ -93,6 +93,18 @@ export async function judge(found, world, seed, progress) {
   const words = [
     `differs in ${plural(wrong.length, "cell")} of ${counted(width * height)}`,
   ];
+  const other = otherMode(found, world, seed);
+  if (other !== null) {
+    return {
+      ...base,
+      status: "differs",
+      tone: "bad",
+      words: [
+        ...words,
+        `It is exactly the right map ${other}. Choose that above if it is what you wanted to draw.`,
+      ],
+    };
+  }
   if ("logOdds" in found && differOnlyInLastBits(found, reference, wrong)) {
     words.push(
       "All of them differ by less than 0.000000001, so it may be another logarithm's last bits and nothing more. This page does not follow that up for log-odds; the full check does.",
@@ -146,12 +158,30 @@ function trouble(wrong, reference) {
       `${plural(never, "of these cells is", "of these cells are")} touched by no beam of the right program.`,
     );
   }
+  if (known && touched > 1) {
+    words.push(
+      `No scan before scan ${touched} touches any of ${never ? "the others" : "them"}, so up to there your program may be right.`,
+    );
+  }
   if (known) {
     words.push(
-      `${touched > 1 ? `No scan before scan ${touched} touches any of ${never ? "the others" : "them"}, so up to there your program may be right. ` : ""}After scan ${settled}, in which one of them gets its last update, no prefix of the reference fits.`,
+      `It has gone wrong by scan ${settled} at the latest: one of ${never ? "the other" : "these"} cells gets its last update there.`,
     );
   }
   return words;
+}
+
+/**
+ * The other mode of the scenario that draws exactly this map, or null: with the noise of seed 0, or without.
+ *
+ * @param {Found} found
+ * @param {World} world
+ * @param {number | null} seed
+ */
+function otherMode(found, world, seed) {
+  const other = seed === null ? 0 : null;
+  if (differing(found, referenceOf(world, other)).length > 0) return null;
+  return other === null ? "without noise" : `with the noise of seed ${other}`;
 }
 
 /**

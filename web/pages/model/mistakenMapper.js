@@ -36,10 +36,11 @@ function allUpdates(updates) {
  *
  * @param {World} world
  */
-export function contractSteps({ settings, walls }) {
+export function contractSteps({ settings, walls, scans }) {
   const s = settings;
   const steps = {
     settings,
+    scans,
 
     // --- the model (2.2) ---
     logit,
@@ -68,6 +69,8 @@ export function contractSteps({ settings, walls }) {
       return range;
     },
     deviate: normalDeviate,
+    /** The number that a scan has for its noise. @param {number} scan */
+    numbered: (scan) => scan,
     noisy: (
       /** @type {number} */ range,
       /** @type {number} */ seed,
@@ -77,6 +80,12 @@ export function contractSteps({ settings, walls }) {
       const noisy = range + s.noiseStd * steps.deviate(seed, scan, beam);
       return Math.min(Math.max(noisy, 0), s.maxRange);
     },
+    /** What becomes of recorded ranges. */
+    recorded: (
+      /** @type {Float64Array} */ ranges,
+      /** @type {number | null} */ _seed,
+      /** @type {number} */ _scan,
+    ) => ranges,
 
     // --- beams (2.3) ---
     direction: (/** @type {number} */ theta, /** @type {number} */ angle) =>
@@ -122,6 +131,7 @@ export function contractSteps({ settings, walls }) {
     withinScan: allUpdates,
 
     // --- the files (2.6, 7) ---
+    probability: sigmoid,
     pixel: (/** @type {number} */ p) => Math.floor((1 - p) * 255 + 0.5),
     /** @returns {LogOdds} */
     fileOrder: (/** @type {LogOdds} */ map) => map,
@@ -131,7 +141,7 @@ export function contractSteps({ settings, walls }) {
       const pixels = new Uint8Array(values.length);
       for (let gy = 0; gy < height; gy++) {
         for (let gx = 0; gx < width; gx++) {
-          const p = sigmoid(values[gy * width + gx]);
+          const p = steps.probability(values[gy * width + gx]);
           pixels[(height - 1 - gy) * width + gx] = steps.pixel(p);
         }
       }
@@ -232,10 +242,14 @@ export class MistakenMapper {
   scan(number) {
     const { steps, seed, bearings } = this;
     const next = this.world.scans[number];
-    if (!(next instanceof Pose)) return next;
+    if (!(next instanceof Pose)) {
+      const { pose, angles } = next;
+      return new Scan(pose, angles, steps.recorded(next.ranges, seed, number));
+    }
+    const scan = steps.numbered(number);
     const ranges = bearings.map((angle, beam) => {
       const range = steps.cast(next, steps.direction(next.theta, angle));
-      return seed === null ? range : steps.noisy(range, seed, number, beam);
+      return seed === null ? range : steps.noisy(range, seed, scan, beam);
     });
     return new Scan(next, bearings, ranges);
   }

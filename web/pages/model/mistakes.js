@@ -5,7 +5,8 @@
 
 import catalogue from "docs:mistakes";
 import { philox4x32 } from "../../src/noise.js";
-import { cos, log, PI, sin } from "../../src/portableMath.js";
+import { cos, exp, log, PI, sin } from "../../src/portableMath.js";
+import { Pose } from "../../src/world.js";
 import {
   lineFromEnd,
   lineWith,
@@ -192,6 +193,21 @@ const PLANTED = {
     m.bearings = () =>
       new Float64Array(beams).map((_, i) => -(fov / 2) + (fov * i) / beams);
   },
+  "bearings-half-a-step-off": (m) => {
+    const { fov, beams } = m.settings;
+    m.bearings = () =>
+      new Float64Array(beams).map(
+        (_, i) => -(fov / 2) + (fov * (i + 0.5)) / beams,
+      );
+  },
+  "one-beam-fewer": (m) => {
+    const { fov, beams } = m.settings;
+    if (beams < 3) return;
+    m.bearings = () =>
+      new Float64Array(beams - 1).map(
+        (_, i) => -(fov / 2) + (fov * i) / (beams - 2),
+      );
+  },
   "max-range-occupied": (m) => {
     const { evidence } = m;
     m.evidence = (line, hit) =>
@@ -327,6 +343,12 @@ const PLANTED = {
   "no-lower-clamp": (m) => {
     m.clamp = (l) => Math.min(l, m.settings.lMax);
   },
+  "limits-of-ten": (m) => {
+    m.clamp = (l) => Math.min(Math.max(l, -10), 10);
+  },
+  "limits-of-eight": (m) => {
+    m.clamp = (l) => Math.min(Math.max(l, -8), 8);
+  },
   "once-per-scan": (m) => {
     m.withinScan = firstOfEach;
   },
@@ -336,6 +358,16 @@ const PLANTED = {
         ...updates.filter(({ occupied }) => occupied),
         ...updates.filter(({ occupied }) => !occupied),
       ]);
+  },
+  "exp-of-reduced-argument": (m) => {
+    const ln2 = Math.LN2;
+    m.probability = (l) => {
+      const x = -Math.abs(l);
+      const rest = x - roundHalfEven(x / ln2) * ln2;
+      const lost = x < -0.5 * ln2 && Math.abs(rest) < 2 ** -28;
+      const z = lost ? 1 + rest : exp(x);
+      return (l >= 0 ? 1 : z) / (1 + z);
+    };
   },
   "picture-inverted": (m) => {
     m.pixel = (p) => Math.floor(p * 255 + 0.5);
@@ -402,6 +434,16 @@ const PLANTED = {
   },
   "no-noise": (m) => {
     m.noisy = (range) => range;
+  },
+  "noise-on-recorded-scans": (m) => {
+    m.recorded = (ranges, seed, scan) =>
+      seed === null
+        ? ranges
+        : ranges.map((range, beam) => m.noisy(range, seed, scan, beam));
+  },
+  "simulated-scans-numbered-apart": (m) => {
+    m.numbered = (scan) =>
+      m.scans.slice(0, scan).filter((one) => one instanceof Pose).length;
   },
 };
 

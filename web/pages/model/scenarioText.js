@@ -1,6 +1,7 @@
 /** Scenarios as text: written, and made of a log that has none of our parameters. */
 
 import { ScenarioError } from "../../src/scenario.js";
+import { flaserAngles } from "../../src/sensor.js";
 import { Pose } from "../../src/world.js";
 
 /** @typedef {import("./mistakenMapper.js").World} World */
@@ -25,6 +26,8 @@ const NAMES = {
   noiseStd: "noise_std",
 };
 
+const MOST_ULPS = 4096;
+
 /**
  * A scenario file (SPEC.md section 5) that reads back to the same numbers.
  *
@@ -46,18 +49,38 @@ export function scenarioText({ settings, walls, scans }) {
       lines.push(`POSE ${scan.x} ${scan.y} ${scan.theta}`);
       continue;
     }
-    const { pose, angles, ranges } = scan;
-    const step = angles.length > 1 ? angles[1] - angles[0] : 0;
-    lines.push(
-      [
-        `ROBOTLASER1 0 ${angles[0]} 0 ${step} 0 0 0 ${ranges.length}`,
-        ...Array.from(ranges, (range) => (range === Infinity ? "inf" : range)),
-        `0 ${pose.x} ${pose.y} ${pose.theta}`,
-        "0 0 0 0 0 0 0 0 0 0 0",
-      ].join(" "),
-    );
+    lines.push(recordedLine(scan));
   }
   return `${lines.join("\n")}\n`;
+}
+
+/** @param {import("../../src/sensor.js").Scan} scan */
+function recordedLine({ pose: { x, y, theta }, angles, ranges }) {
+  const count = ranges.length;
+  const read = Array.from(ranges, (range) =>
+    range === Infinity ? "inf" : `${range}`,
+  ).join(" ");
+  const known = flaserAngles(count);
+  if (angles.every((angle, i) => angle === known[i])) {
+    return `FLASER ${count} ${read} ${x} ${y} ${theta} 0 0 0 0 0 0`;
+  }
+  const head = `ROBOTLASER1 0 ${angles[0]} 0 ${stepOf(angles)} 0 0 0`;
+  return `${head} ${count} ${read} 0 ${x} ${y} ${theta} 0 0 0 0 0 0 0 0 0 0 0`;
+}
+
+/** The step by which angles[0] + i * step gives the same doubles again. @param {Float64Array} angles */
+function stepOf(angles) {
+  const [first, last] = [angles[0], angles[angles.length - 1]];
+  const about = angles.length > 1 ? (last - first) / (angles.length - 1) : 0;
+  const fits = (/** @type {number} */ step) =>
+    angles.every((angle, i) => angle === first + i * step);
+  for (let ulps = 0; ulps <= MOST_ULPS; ulps++) {
+    for (const sign of [1, -1]) {
+      const step = about * (1 + sign * ulps * 2 ** -53);
+      if (fits(step)) return step;
+    }
+  }
+  throw new RangeError("bearings that are not evenly spaced");
 }
 
 /**

@@ -9,6 +9,7 @@ import {
   input,
   make,
   plural,
+  ShownWidth,
   setText,
   shown,
 } from "../shared/dom.js";
@@ -16,8 +17,8 @@ import {
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("../model/cellHistory.js").CellUpdate} CellUpdate */
 
+const WIDTH = 720;
 const VIEW = {
-  width: 720,
   height: 320,
   left: 46,
   right: 14,
@@ -29,12 +30,14 @@ const MOST_ROWS = 400;
 export class CellFigure {
   #key = "";
   #moment = "";
+  #width = WIDTH;
   /** @type {CellUpdate[]} */
   #updates = [];
 
   /** @param {Lab} lab @param {() => void} changed */
   constructor(lab, changed) {
     this.lab = lab;
+    this.shown = new ShownWidth(byId("curve", SVGSVGElement), changed);
     for (const id of ["cell-gx", "cell-gy"]) {
       input(id).addEventListener("change", () => {
         const { width, height } = lab.world.settings;
@@ -83,8 +86,11 @@ export class CellFigure {
       row.value = `${gy}`;
       this.#rows();
     }
-    const moment = `${key} ${lab.scan} ${lab.beam}`;
+    const width = this.shown.drawn(WIDTH);
+    const moment = `${key} ${lab.scan} ${lab.beam} ${width}`;
     if (moment === this.#moment) return;
+    const resized = width !== this.#width;
+    this.#width = width;
     this.#moment = moment;
     const updates = this.#updates;
     const past = updates.filter(
@@ -99,7 +105,7 @@ export class CellFigure {
       element("cell-words"),
       `Cell gx=${gx} gy=${gy}: ${plural(past, "update")} of ${updates.length} so far, ${past - hits} free and ${hits} occupied. Log-odds ${value}, P(occupied) ${sigmoid(value).toFixed(6)}, pixel ${pixel(value)}. Its bounds are ${shown(settings.lMin, 2)} and ${shown(settings.lMax, 2)}.`,
     );
-    this.#curve(past, value, fresh);
+    this.#curve(past, value, fresh || resized);
     this.#current(past);
   }
 
@@ -160,18 +166,19 @@ export class CellFigure {
     const { lab } = this;
     const { settings } = lab.world;
     const { lMin, lMax } = settings;
-    const { width, height, left, right, top, bottom } = VIEW;
+    const { height, left, right, top, bottom } = VIEW;
+    const width = this.#width;
     const updates = this.#updates;
     const values = [logit(settings.p0), ...updates.map(({ after }) => after)];
     const least = Math.max(Math.min(lMin, ...values.slice(0, 1)), -1000);
     const span = lMax - least || 1;
-    const count = lab.scans.length;
+    const { count } = lab;
     const x = (/** @type {number} */ time) =>
       left + ((width - left - right) * time) / count;
     const y = (/** @type {number} */ l) =>
       height - bottom - ((height - top - bottom) * (l - least)) / span;
     const time = ({ scan, beam } = updates[0]) =>
-      scan + (beam + 1) / lab.scans[scan].ranges.length;
+      scan + (beam + 1) / lab.scanAt(scan).ranges.length;
     const parts = [];
     const line = (
       /** @type {number} */ l,
@@ -223,6 +230,7 @@ export class CellFigure {
       );
     }
     const curve = byId("curve", SVGSVGElement);
+    curve.setAttribute("viewBox", `0 0 ${width} ${height}`);
     if (fresh) curve.innerHTML = `<g>${parts.join("")}</g><g></g>`;
     const moving = curve.lastElementChild;
     if (moving) moving.innerHTML = now.join("");

@@ -19,6 +19,10 @@ import { Timeline } from "../model/timeline.js";
 /** @typedef {import("../model/mistakenMapper.js").World} World */
 /** @typedef {import("../../src/world.js").Segment} Segment */
 /** @typedef {{gx: number, gy: number}} Cell */
+/** @typedef {import("../shared/gridCanvas.js").Pad} Pad */
+
+/** So many cells are shown beyond a path that leaves the grid. */
+const ROOM = 5;
 
 export class Lab {
   /** Goes up whenever settings, walls, scans or the seed change. */
@@ -47,8 +51,14 @@ export class Lab {
 
   /** @type {World} */
   world;
-  /** @type {Scan[]} */
-  scans = [];
+  /** Where each scan is taken. @type {Pose[]} */
+  poses = [];
+  /** The scans that have been needed so far, and where the others come from. @type {Scan[]} */
+  #scans = [];
+  /** @type {Iterator<Scan>} */
+  #more = [][Symbol.iterator]();
+  /** What the pictures show around the grid. @type {Pad} */
+  pad = { left: 0, right: 0, bottom: 0, top: 0 };
 
   constructor() {
     const lesson = lessonScenario();
@@ -64,7 +74,28 @@ export class Lab {
 
   /** How many beams the current scan has. */
   get beams() {
-    return this.scans[this.scan - 1].ranges.length;
+    return this.scanAt(this.scan - 1).ranges.length;
+  }
+
+  /** How many scans there are. */
+  get count() {
+    return this.poses.length;
+  }
+
+  /** A scan with its ranges, which are simulated when they are first needed. @param {number} number from 0 @returns {Scan} */
+  scanAt(number) {
+    while (this.#scans.length <= number) {
+      const next = this.#more.next();
+      if (next.done) throw new RangeError(`no scan ${number}`);
+      this.#scans.push(next.value);
+    }
+    return this.#scans[number];
+  }
+
+  /** All scans. */
+  get scans() {
+    this.scanAt(this.count - 1);
+    return this.#scans;
   }
 
   /** @param {World} world @param {string} name */
@@ -117,33 +148,61 @@ export class Lab {
     const { maxRange, noReturn } = settings;
     this.version += 1;
     const scenario = new Scenario(this.name, settings, walls, scans);
-    this.scans = Array.from(simulatedScans(scenario, this.seed));
-    this.scan = Math.min(this.scan, this.scans.length);
+    this.poses = scans.map((scan) =>
+      scan instanceof Pose ? scan : scan.pose,
+    );
+    this.#scans = [];
+    this.#more = simulatedScans(scenario, this.seed);
+    this.scan = Math.min(this.scan, this.count);
     // one grid, whose cells are laid over the timeline's
     const grid = newGrid(settings);
     this.grid = grid;
     this.timeline = new Timeline(
-      this.scans.length,
+      this.count,
       grid.logOdds.slice(),
       (values, number) => {
         grid.logOdds.set(values);
-        updateGridFromScans(grid, [this.scans[number]], maxRange, noReturn);
+        updateGridFromScans(grid, [this.scanAt(number)], maxRange, noReturn);
         values.set(grid.logOdds);
       },
     );
     this.#wrong = null;
+    this.pad = this.#padOf();
+  }
+
+  /** Room for a path that leaves the grid, up to a quarter of the grid on each side. @returns {Pad} */
+  #padOf() {
+    const { width, height } = this.world.settings;
+    const pad = { left: 0, right: 0, bottom: 0, top: 0 };
+    for (const { x, y } of this.poses) {
+      const { gx, gy } = this.grid.worldToGrid(x, y);
+      pad.left = Math.max(pad.left, -gx);
+      pad.right = Math.max(pad.right, gx - (width - 1));
+      pad.bottom = Math.max(pad.bottom, -gy);
+      pad.top = Math.max(pad.top, gy - (height - 1));
+    }
+    const shown = (
+      /** @type {number} */ beyond,
+      /** @type {number} */ size,
+    ) => (beyond > 0 ? Math.min(beyond + ROOM, Math.ceil(size / 4)) : 0);
+    return {
+      left: shown(pad.left, width),
+      right: shown(pad.right, width),
+      bottom: shown(pad.bottom, height),
+      top: shown(pad.top, height),
+    };
   }
 
   /** Goes to a moment. @param {number} scan from 1 @param {number} [beam] beams of it; all without */
   goTo(scan, beam) {
-    this.scan = Math.min(Math.max(scan, 1), this.scans.length);
+    this.scan = Math.min(Math.max(scan, 1), this.count);
     this.beam = Math.min(Math.max(beam ?? this.beams, 0), this.beams);
   }
 
   /** One beam on or back, across scans. @param {number} by 1 or -1 */
   moveBeam(by) {
     const next = this.beam + by;
-    if (next > this.beams && this.scan < this.scans.length) {
+    if (next > this.beams && this.scan < this.count) {
       this.goTo(this.scan + 1, 1);
     } else if (next < 0 && this.scan > 1) {
       this.goTo(this.scan - 1);
@@ -154,21 +213,34 @@ export class Lab {
   }
 
   get atEnd() {
-    return this.scan === this.scans.length && this.beam === this.beams;
+    return this.scan === this.count && this.beam === this.beams;
   }
+
+  /** @type {{free: Pose, scan: number, version: number, made: Scan} | null} */
+  #looked = null;
 
   /** The scan in view: of the path, or from where the reader has put the robot. @returns {Scan} */
   inView() {
-    if (this.free === null) return this.scans[this.scan - 1];
+    const { free, scan, version } = this;
+    if (free === null) return this.scanAt(scan - 1);
+    const old = this.#looked;
+    if (old?.free !== free || old.scan !== scan || old.version !== version) {
+      this.#looked = { free, scan, version, made: this.#lookFrom(free) };
+    }
+    return /** @type {NonNullable<typeof old>} */ (this.#looked).made;
+  }
+
+  /** @param {Pose} pose */
+  #lookFrom(pose) {
     const { settings, walls } = this.world;
     const { fov, beams, maxRange, noiseStd } = settings;
     const angles = beamAngles(fov, beams);
-    let ranges = simulateLidarScan(this.free, walls, angles, maxRange);
+    let ranges = simulateLidarScan(pose, walls, angles, maxRange);
     if (this.seed !== null) {
       const number = this.scan - 1;
       ranges = addRangeNoise(ranges, noiseStd, this.seed, number, maxRange);
     }
-    return new Scan(this.free, angles, ranges);
+    return new Scan(pose, angles, ranges);
   }
 
   /** The map now, and the map before what the scan in view has done. */
@@ -180,7 +252,7 @@ export class Lab {
     const timeline = /** @type {Timeline} */ (this.timeline);
     let before = timeline.at(this.scan - 1).slice();
     grid.logOdds.set(before);
-    const { pose, angles, ranges } = this.scans[this.scan - 1];
+    const { pose, angles, ranges } = this.scanAt(this.scan - 1);
     const part = [
       angles.subarray(0, this.beam),
       ranges.subarray(0, this.beam),
@@ -196,8 +268,15 @@ export class Lab {
   /** @type {{key: string, mapper: MistakenMapper, timeline: Timeline} | null} */
   #wrong = null;
 
-  /** The map after the whole scans so far, right and with the chosen mistakes. */
+  /**
+   * The map after the whole scans so far, right and with the chosen mistakes; `wrong` is null where none is chosen.
+   *
+   * @returns {{scans: number, right: Float64Array, wrong: ReturnType<MistakenMapper["files"]> | null}}
+   */
   compared() {
+    const scans = this.beam === this.beams ? this.scan : this.scan - 1;
+    const right = /** @type {Timeline} */ (this.timeline).at(scans);
+    if (this.mistakes.size === 0) return { scans, right, wrong: null };
     const key = Array.from(this.mistakes).join(" ");
     if (this.#wrong?.key !== key) {
       const chosen = Array.from(this.mistakes, (name) => MISTAKES.get(name));
@@ -207,15 +286,13 @@ export class Lab {
         chosen.filter((mistake) => mistake !== undefined),
       );
       const timeline = new Timeline(
-        this.scans.length,
+        this.count,
         mapper.start(),
         (values, number) => mapper.add(values, number),
       );
       this.#wrong = { key, mapper, timeline };
     }
     const { mapper, timeline } = this.#wrong;
-    const scans = this.beam === this.beams ? this.scan : this.scan - 1;
-    const right = /** @type {Timeline} */ (this.timeline).at(scans);
     return { scans, right, wrong: mapper.files(timeline.at(scans)) };
   }
 

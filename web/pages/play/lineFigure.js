@@ -2,13 +2,22 @@
 
 import { LONGEST_LINE } from "../../src/ray.js";
 import { LISTING, traceLine } from "../model/lineTrace.js";
-import { button, byId, element, input, make, setText } from "../shared/dom.js";
+import {
+  button,
+  byId,
+  element,
+  input,
+  make,
+  ShownWidth,
+  setText,
+} from "../shared/dom.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("../model/lineTrace.js").Stop} Stop */
 
 const ENDS = ["gx0", "gy0", "gx1", "gy1"];
-const VIEW = { width: 520, height: 400 };
+const WIDTH = 520;
+const HEIGHT_OVER_WIDTH = 400 / 520;
 const LEAST_CELL = 17;
 
 export class LineFigure {
@@ -22,6 +31,7 @@ export class LineFigure {
   constructor(lab, changed) {
     this.lab = lab;
     this.changed = changed;
+    this.shown = new ShownWidth(byId("line-view", SVGSVGElement), changed);
     element("listing").append(
       ...LISTING.map((line) => {
         const comment = /^\s*(\/\*\*|\*)/.test(line);
@@ -133,7 +143,17 @@ export class LineFigure {
       });
     }
     lab.step = Math.min(lab.step, this.#last);
-    const moment = [key, lab.step, this.#timer, lab.scan, beam, ends, hit];
+    const width = this.shown.drawn(WIDTH);
+    const moment = [
+      key,
+      lab.step,
+      this.#timer,
+      lab.scan,
+      beam,
+      ends,
+      hit,
+      width,
+    ];
     if (JSON.stringify(moment) === this.#moment) return;
     this.#moment = JSON.stringify(moment);
     const { stops, cells } = this.#trace;
@@ -165,7 +185,7 @@ export class LineFigure {
       element("line-words"),
       `${what}: from cell (${line[0]}, ${line[1]}) to (${line[2]}, ${line[3]}), ${cells.length} cells. ${stop.count} of them are listed so far${stop.count ? `, the last is (${cells[stop.count - 1].gx}, ${cells[stop.count - 1].gy})` : ""}.`,
     );
-    this.#draw(stop, hit);
+    this.#draw(stop, hit, width);
   }
 
   /** @param {number} line of the listing */
@@ -199,8 +219,9 @@ export class LineFigure {
     element("variables").replaceChildren(...items);
   }
 
-  /** @param {Stop} stop @param {boolean} hit */
-  #draw(stop, hit) {
+  /** @param {Stop} stop @param {boolean} hit @param {number} width */
+  #draw(stop, hit, width) {
+    const height = Math.round(width * HEIGHT_OVER_WIDTH);
     const { cells } = this.#trace;
     const [first, last] = [cells[0], cells[cells.length - 1]];
     const now = cells[Math.max(stop.count - 1, 0)];
@@ -208,11 +229,11 @@ export class LineFigure {
     const spanX = Math.abs(last.gx - first.gx) + 3;
     const spanY = Math.abs(last.gy - first.gy) + 3;
     const side = Math.min(
-      Math.max(Math.min(VIEW.width / spanX, VIEW.height / spanY), LEAST_CELL),
+      Math.max(Math.min(width / spanX, height / spanY), LEAST_CELL),
       64,
     );
-    const columns = VIEW.width / side;
-    const rows = VIEW.height / side;
+    const columns = width / side;
+    const rows = height / side;
     const place = (
       /** @type {number} */ a,
       /** @type {number} */ b,
@@ -226,7 +247,7 @@ export class LineFigure {
     const left = place(first.gx, last.gx, now.gx, columns);
     const bottom = place(first.gy, last.gy, now.gy, rows);
     const x = (/** @type {number} */ gx) => (gx - left) * side;
-    const y = (/** @type {number} */ gy) => VIEW.height - (gy - bottom) * side;
+    const y = (/** @type {number} */ gy) => height - (gy - bottom) * side;
     const parts = [];
     cells.slice(0, stop.count).forEach(({ gx, gy }, k) => {
       const end = k === cells.length - 1;
@@ -236,12 +257,10 @@ export class LineFigure {
       );
     });
     for (let gx = Math.ceil(left); gx <= left + columns; gx++) {
-      parts.push(
-        `<path d="M${x(gx)} 0V${VIEW.height}" stroke="var(--line)"/>`,
-      );
+      parts.push(`<path d="M${x(gx)} 0V${height}" stroke="var(--line)"/>`);
     }
     for (let gy = Math.ceil(bottom); gy <= bottom + rows; gy++) {
-      parts.push(`<path d="M0 ${y(gy)}H${VIEW.width}" stroke="var(--line)"/>`);
+      parts.push(`<path d="M0 ${y(gy)}H${width}" stroke="var(--line)"/>`);
     }
     const middle = ({ gx, gy } = first) => `${x(gx + 0.5)} ${y(gy + 0.5)}`;
     parts.push(
@@ -254,13 +273,15 @@ export class LineFigure {
     for (let gx = Math.ceil(left); gx < left + columns; gx++) {
       if (gx % every) continue;
       parts.push(
-        `<text x="${x(gx + 0.5)}" y="${VIEW.height - 4}" text-anchor="middle">${gx}</text>`,
+        `<text x="${x(gx + 0.5)}" y="${height - 4}" text-anchor="middle">${gx}</text>`,
       );
     }
     for (let gy = Math.ceil(bottom); gy < bottom + rows; gy++) {
-      if (gy % every || y(gy + 0.5) > VIEW.height - 18) continue;
+      if (gy % every || y(gy + 0.5) > height - 18) continue;
       parts.push(`<text x="4" y="${y(gy + 0.5) + 4}">${gy}</text>`);
     }
-    byId("line-view", SVGSVGElement).innerHTML = parts.join("");
+    const view = byId("line-view", SVGSVGElement);
+    view.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    view.innerHTML = parts.join("");
   }
 }

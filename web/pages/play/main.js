@@ -1,5 +1,6 @@
 /** play.html: the lesson's figures, held together by one lab. */
 
+import { MISTAKES } from "../model/mistakes.js";
 import { hashOfMap } from "../model/sha256.js";
 import { element, onceAFrame, setText } from "../shared/dom.js";
 import { addressOf, readAddress } from "./address.js";
@@ -16,15 +17,60 @@ import { WorldView } from "./worldView.js";
 const lab = new Lab();
 /** @type {Set<string>} */
 const touched = new Set();
-let idle = 0;
+const start = lab.cell;
+/** How long the page waits for more, in milliseconds, before it does what takes longer. */
+const PAUSE = 120;
 
 const changed = onceAFrame(() => {
-  for (const figure of figures) figure.render();
-  window.clearTimeout(idle);
-  if (!lab.playing) idle = window.setTimeout(settle, 120);
+  draw(Object.values(live));
+  if (lab.version === calmVersion) draw(Object.values(calm));
+  else if (lab.version !== seenVersion) calmDown(drawCalm);
+  seenVersion = lab.version;
+  if (!lab.playing) quiet(settle);
 });
 
-/** What takes longer, or must not follow every frame. */
+/** The figures that follow every frame. */
+const live = {
+  world: new WorldView(lab, changed),
+  map: new MapView(lab, changed),
+  transport: new Transport(lab, changed),
+  settings: new SettingsPanel(lab, changed),
+  walls: new WorldPanel(lab, changed),
+  line: new LineFigure(lab, changed),
+};
+/** Those that need the whole run: while a wall or a slider is dragged, they wait. */
+const calm = {
+  cell: new CellFigure(lab, changed),
+  whatIf: new WhatIf(lab, changed),
+};
+let calmVersion = lab.version;
+let seenVersion = lab.version;
+const calmDown = afterPause();
+const quiet = afterPause();
+
+/** @param {{render: () => void}[]} figures */
+function draw(figures) {
+  for (const figure of figures) figure.render();
+}
+
+function drawCalm() {
+  calmVersion = lab.version;
+  draw(Object.values(calm));
+}
+
+/** Runs what it was given last, after a pause. */
+function afterPause() {
+  let timer = 0;
+  return (/** @type {() => void} */ run) => {
+    window.clearTimeout(timer);
+    timer = window.setTimeout(run, PAUSE);
+  };
+}
+
+/** The address follows the page only after the reader has done something. */
+let own = false;
+
+/** What must not follow every frame: the hash and the address. */
 function settle() {
   const { now } = lab.maps();
   const place = `scan ${lab.scan}, beam ${lab.beam}${lab.free ? ", and the robot where you have put it" : ""}`;
@@ -37,23 +83,9 @@ function settle() {
   own = true;
 }
 
-const start = lab.cell;
-/** The address follows the page only after the reader has done something. */
-let own = false;
-
-const figures = [
-  new WorldView(lab, changed),
-  new MapView(lab, changed),
-  new Transport(lab, changed),
-  new SettingsPanel(lab, changed),
-  new WorldPanel(lab, changed),
-  new LineFigure(lab, changed),
-  new CellFigure(lab, changed),
-  new WhatIf(lab, changed),
-];
-
 function follow() {
   const section = readAddress(lab, location.hash);
+  calmVersion = lab.version;
   changed();
   if (section !== null && section !== "world") {
     requestAnimationFrame(() => element(section).scrollIntoView());
@@ -69,10 +101,11 @@ follow();
 Object.assign(window, {
   occgridPage: {
     lab,
-    changed,
-    figures,
+    figures: { ...live, ...calm },
+    mistakes: Array.from(MISTAKES.keys()),
     render: () => {
-      for (const figure of figures) figure.render();
+      draw(Object.values(live));
+      drawCalm();
     },
     hash: () => hashOfMap(lab.maps().now),
     address: () => addressOf(lab, touched),

@@ -2,7 +2,7 @@
 
 import { sigmoid } from "../../src/grid.js";
 import { pixel } from "../../src/mapWriter.js";
-import { colours, element, input, setText, shown } from "../shared/dom.js";
+import { colour, element, input, setText, shown } from "../shared/dom.js";
 import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
@@ -44,7 +44,7 @@ export class MapView {
     const marks = input("show-changes").checked;
     let freed = 0;
     let filled = 0;
-    view.begin(settings);
+    view.begin(settings, lab.pad);
     view.paintCells((image) => {
       for (let gy = 0; gy < height; gy++) {
         let out = 4 * (height - 1 - gy) * width;
@@ -68,10 +68,9 @@ export class MapView {
         }
       }
     });
-    const colour = colours();
     view.frame(lab.cell, "#6d28d9");
     if (lab.cursor) view.frame(lab.cursor, "#d9480f");
-    const { x, y } = lab.free ?? lab.scans[lab.scan - 1].pose;
+    const { x, y } = lab.free ?? lab.poses[lab.scan - 1];
     const robot = view.at(
       (x - settings.originX) / settings.resolution,
       (y - settings.originY) / settings.resolution,

@@ -84,18 +84,18 @@ export class Transport {
     const { lab } = this;
     setText(
       element("announce"),
-      `Scan ${lab.scan} of ${lab.scans.length}, beam ${lab.beam} of ${lab.beams}.`,
+      `Scan ${lab.scan} of ${lab.count}, beam ${lab.beam} of ${lab.beams}.`,
     );
   }
 
   render() {
     const { lab } = this;
     const [scan, beam] = [input("scan"), input("beam")];
-    scan.max = `${lab.scans.length}`;
+    scan.max = `${lab.count}`;
     scan.value = `${lab.scan}`;
     beam.max = `${lab.beams}`;
     beam.value = `${lab.beam}`;
-    setText(element("scan-text"), `scan ${lab.scan} of ${lab.scans.length}`);
+    setText(element("scan-text"), `scan ${lab.scan} of ${lab.count}`);
     setText(element("beam-text"), `beam ${lab.beam} of ${lab.beams}`);
     const play = button("play");
     setText(play, lab.playing ? "❚❚ Pause" : "▶ Play");

@@ -15,6 +15,7 @@ import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("./lab.js").Cell} Cell */
+/** @typedef {import("../model/mistakenMapper.js").Picture} Picture */
 
 export const SWITCHES = [
   "truncation",
@@ -117,7 +118,7 @@ export class WhatIf {
     const { scans, right, wrong } = lab.compared();
     const { width, height } = settings;
     const grey = this.#grey.of(right);
-    const found = wrong.picture;
+    const found = wrong?.picture ?? pictureOf(grey, width);
     const sameSize = found.width === width;
     const coloured = input("show-differences").checked;
     let inLogOdds = 0;
@@ -127,7 +128,8 @@ export class WhatIf {
       for (let i = 0; i < found.pixels.length; i++) {
         const at = (height - 1 - Math.floor(i / width)) * width + (i % width);
         const level = found.pixels[i];
-        const other = sameSize && wrong.logOdds.values[at] !== right[at];
+        const other =
+          sameSize && wrong !== null && wrong.logOdds.values[at] !== right[at];
         const seen = sameSize && level !== grey[at];
         if (other) inLogOdds += 1;
         if (seen) inPicture += 1;
@@ -162,24 +164,34 @@ export class WhatIf {
       }
     });
     if (this.#cursor) this.right.frame(this.#cursor, "#6d28d9");
-    this.#readOut(right, wrong);
+    this.#readOut(right, found, wrong?.logOdds.values ?? right);
   }
 
-  /** @param {Float64Array} right @param {ReturnType<Lab["compared"]>["wrong"]} wrong */
-  #readOut(right, wrong) {
-    const { width, height } = wrong.picture;
+  /** @param {Float64Array} right @param {Picture} picture @param {Float64Array} logOdds */
+  #readOut(right, picture, logOdds) {
+    const { width, height } = picture;
     const cell = this.#cursor;
     if (cell === null || width !== this.lab.world.settings.width) {
       setText(element("wrong-words"), "Point at a cell to read both values.");
       return;
     }
     const at = cell.gy * width + cell.gx;
-    const value = wrong.logOdds.values[at];
-    const level =
-      wrong.picture.pixels[(height - 1 - cell.gy) * width + cell.gx];
+    const value = logOdds[at];
+    const level = picture.pixels[(height - 1 - cell.gy) * width + cell.gx];
     setText(
       element("wrong-words"),
       `cell gx=${cell.gx} gy=${cell.gy}: log-odds ${value}, pixel ${level}; right are ${right[at]} (P ${sigmoid(right[at]).toFixed(4)}) and ${this.#grey.of(right)[at]}.`,
     );
   }
+}
+
+/** Grey levels as a picture: the row with the largest y first. @param {Uint8Array} grey @param {number} width @returns {Picture} */
+function pictureOf(grey, width) {
+  const height = grey.length / width;
+  const pixels = new Uint8Array(grey.length);
+  for (let gy = 0; gy < height; gy++) {
+    const row = grey.subarray(gy * width, (gy + 1) * width);
+    pixels.set(row, (height - 1 - gy) * width);
+  }
+  return { width, height, pixels };
 }

@@ -1,7 +1,7 @@
 /** The world: walls, path, robot and beams; the robot and the walls can be dragged. */
 
 import { Pose, Segment } from "../../src/world.js";
-import { button, colours, element, setText, shown } from "../shared/dom.js";
+import { button, colour, element, setText, shown } from "../shared/dom.js";
 import { GridCanvas } from "../shared/gridCanvas.js";
 import { endsOf } from "./lab.js";
 
@@ -86,7 +86,7 @@ export class WorldView {
   }
 
   get #pose() {
-    return this.lab.free ?? this.lab.scans[this.lab.scan - 1].pose;
+    return this.lab.free ?? this.lab.poses[this.lab.scan - 1];
   }
 
   #handle() {
@@ -204,6 +204,11 @@ export class WorldView {
       moves[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (event.key === "Escape" && this.lab.free !== null) {
       this.#putBack();
+    } else if (event.key === " ") {
+      event.preventDefault();
+      button("play").click();
+    } else if (event.key === "." || event.key === ",") {
+      button(event.key === "." ? "beam-on" : "beam-back").click();
     } else if (move) {
       event.preventDefault();
       this.lab.free = new Pose(x + move[0], y + move[1], theta + move[2]);
@@ -215,16 +220,26 @@ export class WorldView {
     const { lab, view } = this;
     const { settings, walls } = lab.world;
     const { context } = view;
-    const colour = colours();
-    view.begin(settings);
+    view.begin(settings, lab.pad);
     const scan = lab.inView();
     const ends = endsOf(lab.grid, scan, settings);
     const count = lab.free === null ? lab.beam : ends.length;
     const robot = this.#at(scan.pose.x, scan.pose.y);
 
+    // the grid, where more of the world is shown
+    const corner = view.at(0, settings.height);
+    context.lineWidth = 1;
+    context.strokeStyle = colour("line");
+    context.strokeRect(
+      corner.x,
+      corner.y,
+      settings.width * view.scale,
+      settings.height * view.scale,
+    );
+
     // the path
     context.beginPath();
-    for (const { pose } of lab.scans) {
+    for (const pose of lab.poses) {
       const { x, y } = this.#at(pose.x, pose.y);
       context.lineTo(x, y);
     }

@@ -65,6 +65,36 @@ export function onceAFrame(run) {
   };
 }
 
+/** How wide an element is inside its border. Looking it up for every frame would cost a layout each time. */
+export class ShownWidth {
+  #element;
+  #width = 0;
+
+  /** @param {Element} element @param {() => void} changed */
+  constructor(element, changed) {
+    this.#element = element;
+    new ResizeObserver(() => {
+      this.#width = element.clientWidth;
+      changed();
+    }).observe(element);
+  }
+
+  /** Pixels of the page. */
+  get value() {
+    if (this.#width === 0) this.#width = this.#element.clientWidth;
+    return this.#width;
+  }
+
+  /**
+   * How wide to draw a picture, in its own units: as it is shown, so that its letters keep their size.
+   *
+   * @param {number} most
+   */
+  drawn(most) {
+    return Math.min(Math.max(this.value, 280), most);
+  }
+}
+
 /** A number with a true minus sign, for reading. @param {number} value @param {number} digits */
 export function shown(value, digits) {
   const text = value.toFixed(digits);
@@ -122,8 +152,18 @@ export function takeFiles(place, chooser, take) {
   });
 }
 
-/** The colours of the scheme at hand, by the names of shared/style.css. */
-export function colours() {
-  const style = getComputedStyle(document.documentElement);
-  return (/** @type {string} */ name) => style.getPropertyValue(`--${name}`);
+const dark = matchMedia("(prefers-color-scheme: dark)");
+/** @type {Map<string, string>} */
+const known = new Map();
+dark.addEventListener("change", () => known.clear());
+
+/** A colour of the scheme at hand, by its name in shared/style.css. @param {string} name */
+export function colour(name) {
+  let value = known.get(name);
+  if (value === undefined) {
+    const style = getComputedStyle(document.documentElement);
+    value = style.getPropertyValue(`--${name}`);
+    known.set(name, value);
+  }
+  return value;
 }

@@ -1,8 +1,13 @@
 /** A canvas that shows a grid: cells, and world coordinates over them. */
 
 import { pixel } from "../../src/mapWriter.js";
+import { ShownWidth } from "./dom.js";
 
 /** @typedef {{width: number, height: number}} Size in cells */
+/** @typedef {{left: number, right: number, bottom: number, top: number}} Pad how much of the world around the grid is shown, in cells */
+
+/** @type {Pad} */
+const NO_PAD = { left: 0, right: 0, bottom: 0, top: 0 };
 
 export class GridCanvas {
   /** Side of a cell in pixels of the page. */
@@ -10,6 +15,7 @@ export class GridCanvas {
   #cells = document.createElement("canvas");
   /** @type {ImageData | null} */
   #image = null;
+  #shown;
 
   /**
    * @param {HTMLCanvasElement} canvas
@@ -24,29 +30,34 @@ export class GridCanvas {
     this.inner = inner;
     /** @type {Size} */
     this.size = { width: 1, height: 1 };
-    new ResizeObserver(redraw).observe(canvas);
+    this.pad = NO_PAD;
+    this.#shown = new ShownWidth(canvas, redraw);
   }
 
-  /** Begins a drawing: clears, and sets the scale to pixels of the page. @param {Size} size */
-  begin({ width, height }) {
+  /** Begins a drawing: clears, and sets the scale to pixels of the page. @param {Size} size @param {Pad} pad */
+  begin({ width, height }, pad = NO_PAD) {
     const { canvas, context } = this;
+    const columns = pad.left + width + pad.right;
+    const rows = pad.bottom + height + pad.top;
     if (this.size.width !== width || this.size.height !== height) {
       this.size = { width, height };
       this.#cells.width = width;
       this.#cells.height = height;
       this.#image = null;
-      canvas.style.aspectRatio = `${width} / ${height}`;
     }
+    this.pad = pad;
+    const shape = `${columns} / ${rows}`;
+    if (canvas.style.aspectRatio !== shape) canvas.style.aspectRatio = shape;
     const ratio = devicePixelRatio || 1;
-    const across = canvas.clientWidth;
-    const down = (across * height) / width;
+    const across = this.#shown.value;
+    const down = (across * rows) / columns;
     if (canvas.width !== Math.round(across * ratio)) {
       canvas.width = Math.round(across * ratio);
     }
     if (canvas.height !== Math.round(down * ratio)) {
       canvas.height = Math.round(down * ratio);
     }
-    this.scale = across / width;
+    this.scale = across / columns;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, across, down);
   }
@@ -62,10 +73,11 @@ export class GridCanvas {
     paint(this.#image.data);
     this.inner.putImageData(this.#image, 0, 0);
     this.context.imageSmoothingEnabled = false;
+    const { x, y } = this.at(0, height);
     this.context.drawImage(
       this.#cells,
-      0,
-      0,
+      x,
+      y,
       width * this.scale,
       height * this.scale,
     );
@@ -74,8 +86,8 @@ export class GridCanvas {
   /** The page's pixel of a place in cells (column and row may be broken). @param {number} gx @param {number} gy */
   at(gx, gy) {
     return {
-      x: gx * this.scale,
-      y: (this.size.height - gy) * this.scale,
+      x: (this.pad.left + gx) * this.scale,
+      y: (this.pad.top + this.size.height - gy) * this.scale,
     };
   }
 
@@ -86,8 +98,8 @@ export class GridCanvas {
     const across = event.clientX - box.left - canvas.clientLeft;
     const down = event.clientY - box.top - canvas.clientTop;
     return {
-      gx: across / this.scale,
-      gy: this.size.height - down / this.scale,
+      gx: across / this.scale - this.pad.left,
+      gy: this.pad.top + this.size.height - down / this.scale,
     };
   }
 

@@ -1,0 +1,184 @@
+"""How long a frame of play.html takes while something is dragged, and while it plays.
+
+    ../.venv/bin/python tests/measure_drag.py [SECONDS]
+
+In a headless Chromium, which draws by software. For each kind: frames a second, and milliseconds a frame by its
+own counters: script, style and layout, and all that its main thread does, painting included. Other threads put the
+picture together and are not counted. A frame is late that comes more than 25 ms after the one before.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from pages_in_browser import ARGUMENTS, CHROMIUM, build_pages
+from playwright.sync_api import CDPSession, Page, sync_playwright
+
+FRAMES = """() => {
+  window.frameTimes = [];
+  const note = (now) => { frameTimes.push(now); requestAnimationFrame(note); };
+  requestAnimationFrame(note);
+}"""
+# the page's drawing, figure by figure
+FIGURES = """() => {
+  window.figureTimes = {};
+  for (const [name, figure] of Object.entries(occgridPage.figures)) {
+    const { render } = figure;
+    figureTimes[name] = 0;
+    figure.render = () => {
+      const start = performance.now();
+      render.call(figure);
+      figureTimes[name] += performance.now() - start;
+    };
+  }
+}"""
+
+
+class Counters:
+    """The browser's counters, in seconds, and the painting on the main thread from its trace."""
+
+    def __init__(self, page: Page) -> None:
+        self.session: CDPSession = page.context.new_cdp_session(page)
+        self.session.send("Performance.enable")
+
+    def read(self) -> dict[str, float]:
+        answer = self.session.send("Performance.getMetrics")
+        return {one["name"]: one["value"] for one in answer["metrics"]}
+
+
+def places(page: Page) -> Callable[[float, float], tuple[float, float]]:
+    """The pixel of a place of the lesson's world, metres."""
+    box = page.locator("#world-view").bounding_box()
+    assert box is not None
+    left, top = box["x"] + 1, box["y"] + 1
+    pad = page.evaluate("occgridPage.lab.pad")
+    scale = (box["width"] - 2) / (220 + pad["left"] + pad["right"])
+
+    def pixel(x: float, y: float) -> tuple[float, float]:
+        column, row = (x + 11.0) * 10.0, (9.0 - y) * 10.0
+        return (
+            left + (pad["left"] + column) * scale,
+            top + (pad["top"] + row) * scale,
+        )
+
+    return pixel
+
+
+def drag(page: Page, seconds: float, x: float, y: float) -> None:
+    """From a place in the world around a circle, as fast as a mouse reports."""
+    pixel = places(page)
+    page.mouse.move(*pixel(x, y))
+    page.mouse.down()
+    end = time.monotonic() + seconds
+    while (left := end - time.monotonic()) > 0.0:
+        turn = 2.0 * math.pi * left
+        page.mouse.move(
+            *pixel(x + 1.5 * math.cos(turn), y + 1.5 * math.sin(turn))
+        )
+        time.sleep(0.004)
+    page.mouse.up()
+
+
+def drag_robot(page: Page, seconds: float) -> None:
+    pose = page.evaluate(
+        "occgridPage.lab.scans[occgridPage.lab.scan - 1].pose"
+    )
+    drag(page, seconds, pose["x"], pose["y"])
+
+
+def drag_wall(page: Page, seconds: float) -> None:
+    page.locator("[data-tool=wall]").click()
+    drag(page, seconds, -5.0, 2.0)
+
+
+def drag_slider(page: Page, seconds: float) -> None:
+    slider = page.locator("#max_range")
+    slider.scroll_into_view_if_needed()
+    box = slider.bounding_box()
+    assert box is not None
+    y = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] / 3, y)
+    page.mouse.down()
+    end = time.monotonic() + seconds
+    while (left := end - time.monotonic()) > 0.0:
+        part = 0.4 + 0.3 * math.sin(6.0 * left)
+        page.mouse.move(box["x"] + part * box["width"], y)
+        time.sleep(0.004)
+    page.mouse.up()
+
+
+def play(page: Page, seconds: float) -> None:
+    page.locator("#speed").select_option("scan 60")
+    page.locator("#play").click()
+    time.sleep(min(seconds, 1.5))
+
+
+KINDS: dict[str, tuple[Callable[[Page, float], None], int]] = {
+    "robot, scan 24": (drag_robot, 24),
+    "robot, scan 110": (drag_robot, 110),
+    "wall, scan 24": (drag_wall, 24),
+    "wall, scan 120": (drag_wall, 120),
+    "slider, scan 24": (drag_slider, 24),
+    "slider, scan 120": (drag_slider, 120),
+    "playing, 60 scans a second": (play, 1),
+}
+
+
+def measure(page: Page, kind: str, seconds: float) -> str:
+    act, scan = KINDS[kind]
+    page.evaluate(f"location.hash = '#scan={scan}'")
+    page.wait_for_timeout(500)
+    act(page, 0.5)  # warm
+    page.reload()
+    page.wait_for_timeout(500)
+    page.evaluate(FRAMES)
+    page.evaluate(FIGURES)
+    counters = Counters(page)
+    before = counters.read()
+    act(page, seconds)
+    after = counters.read()
+    taken = {name: after[name] - before[name] for name in after}
+    times = page.evaluate("frameTimes")
+    each = page.evaluate("figureTimes")
+    frames = len(times)
+    late = sum(b - a > 25.0 for a, b in itertools.pairwise(times))
+    per = 1000.0 / frames
+    figures = ", ".join(
+        f"{name} {value / frames:.2f}"
+        for name, value in each.items()
+        if value / frames >= 0.05
+    )
+    return (
+        f"{kind:27} {frames / taken['Timestamp']:5.1f} frames/s, {late} late;"
+        f" ms a frame: script {taken['ScriptDuration'] * per:5.2f},"
+        f" style and layout {(taken['LayoutDuration'] + taken['RecalcStyleDuration']) * per:5.2f},"
+        f" all of the main thread {taken['TaskDuration'] * per:5.2f}\n    drawing: {figures}"
+    )
+
+
+def main() -> None:
+    seconds = float(sys.argv[1]) if len(sys.argv) > 1 else 3.0
+    if CHROMIUM is None:
+        raise SystemExit("chromium is missing: apt-get install chromium")
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
+        build_pages(Path(folder))
+        browser = driver.chromium.launch(
+            executable_path=CHROMIUM, args=ARGUMENTS
+        )
+        print(browser.version)
+        for kind in KINDS:
+            page = browser.new_page(viewport={"width": 1280, "height": 1000})
+            page.goto((Path(folder) / "play.html").as_uri())
+            print(measure(page, kind, seconds), flush=True)
+            page.close()
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
