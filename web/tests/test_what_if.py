@@ -31,7 +31,8 @@ def open_scenario(open_page: Open, name: str) -> Page:
     page = open_page("play", f"#seed={SEED}")
     if name != "lesson":
         page.set_input_files("#file", ROOT / "scenarios" / f"{name}.log")
-        page.locator("#file-words", has_text=f"{name}.log: ").wait_for()
+        said = page.locator("#file-words", has_text=f"{name}.log: ")
+        said.wait_for(state="attached")  # in a part that is closed
     page.evaluate("occgridPage.lab.goTo(occgridPage.lab.scans.length)")
     return page
 

@@ -94,7 +94,6 @@ export class WorldPanel {
         );
       }
       const { world, guessed } = readWorld(name, bytes);
-      if (world.scans.length === 0) throw new RangeError(`${name}: no scan`);
       this.lab.open(world, name.replace(/\.[^.]+$/, ""));
       setText(
         element("file-words"),
