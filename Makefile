@@ -13,8 +13,8 @@ JOBS ?= 2
 PORTS := python cpp java matlab mathematica web
 PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica web bench
 # These need the ports as they are built by then.
-LAST_PARTS := compare handouts
-LONG_PARTS := mathics web-pages
+LAST_PARTS := web-pages compare handouts
+LONG_PARTS := mathics web-pages-long
 ALL_PARTS := $(PARTS) $(LAST_PARTS) $(LONG_PARTS)
 BIN := .venv/bin
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
@@ -140,8 +140,8 @@ help:  ## This list
 	    /^[^\t#.][^=]*:.*## / { name = $$1; sub(/^\$$\(PORTS\)$$/, "$(PORTS)", name); \
 	    sub(/^\$$\(ALL_PARTS.*$$/, "test-PORT", name); printf "  %-36s %s\n", name, $$2 }' Makefile
 
-# The parts of the tests: name, what it needs, commands. `make test` runs all but the last two side by side, and then
-# those two. A part whose tools are missing is skipped, or fails where CI is set.
+# The parts of the tests: name, what it needs, commands. `make test` runs LAST_PARTS one after the other, after all
+# others side by side. A part whose tools are missing is skipped, or fails where CI is set.
 
 .PHONY: $(ALL_PARTS:%=run-test-%)
 
@@ -180,7 +180,11 @@ run-test-web:
 	@scripts/part web 'node=nodejs npm' 'cd web; npm ci --silent; npm run --silent types; npm run --silent lint; npm test'
 
 run-test-web-pages:
-	@scripts/part web-pages 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini web/tests'
+	@scripts/part web-pages 'node=nodejs npm pytest' '$(WEB_PAGES); \
+	    pytest -c web/tests/pytest.ini $(WORKERS) -m "not long" web/tests'
+
+run-test-web-pages-long:
+	@scripts/part web-pages-long 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini -m long web/tests'
 
 run-test-bench:
 	@scripts/part bench 'pytest' 'pytest bench/tests'
