@@ -181,7 +181,7 @@ run-test-web:
 
 run-test-web-pages:
 	@scripts/part web-pages 'node=nodejs npm pytest' '$(WEB_PAGES); \
-	    pytest -c web/tests/pytest.ini $(WORKERS) -m "not long" web/tests'
+	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c web/tests/pytest.ini $(WORKERS) -m "not long" web/tests'
 
 run-test-web-pages-long:
 	@scripts/part web-pages-long 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini -m long web/tests'
