@@ -13,6 +13,8 @@
 
 BeginPackage["OccupancyGrid`"];
 
+(* read here first, and so in this context *)
+$OccupancyGridFolder;
 OccupancyGrid::folder = "woxi does not say where OccupancyGrid.wl lies. Run \
 the script from the folder mathematica or the one above it, or set \
 $OccupancyGridFolder to the folder mathematica before Get.";

@@ -91,7 +91,7 @@ decimalText[x_] := Which[
   x == 0, "0.0",
   Abs[x] - 0.001 > 0 && Abs[x] - 100000. < 0,
     With[{text = ToString[x, InputForm]},
-      If[StringEndsQ[text, "."], text <> "0", text]],
+      If[StringTake[text, -1] === ".", text <> "0", text]],
   True, signText[x] <> seventeenDigits @@ wholeAndPower[x]];
 
 seventeenDigits[m_, k_] := Module[{p, q, power, digits},

@@ -21,6 +21,18 @@ VerificationTest[
   {First[moduleOrder], Sort[moduleOrder] === Sort[moduleFiles]},
   {"Usage", True},
   TestID -> "the loader reads Usage.wl first, and every module"]
+(* the loader's own names, before Usage.wl is read *)
+loaderComplaints[text_] := With[
+  {parts = StringSplit[text, "Begin[\"OccupancyGrid`Private`\"];"]},
+  Complement[
+    Select[usedNames[Map[First, codeTokens[Last[parts]]]], capitalQ],
+    usedNames[Map[First, codeTokens[First[parts]]]],
+    languageNames]];
+VerificationTest[
+  {loaderComplaints[loader],
+    loaderComplaints[StringReplace[loader, "\n$OccupancyGridFolder;" -> ""]]},
+  {{}, {"$OccupancyGridFolder"}},
+  TestID -> "the loader declares its names"]
 VerificationTest[
   Select[moduleFiles, !StringContainsQ[packageText[#],
     If[# === "Usage", "\nBegin[\"OccupancyGrid`\"];\n",

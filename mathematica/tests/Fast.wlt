@@ -58,10 +58,11 @@ wildScans = Table[wildScan[6.], {12}];
 
 (* {equal, something was drawn} for p0, pOcc, pFree, lMin, lMax *)
 pathsAgree[{p0_, pOcc_, pFree_, lMin_, lMax_}, noReturn_] := Module[
-  {plain, fast},
-  plain = OccupancyGrid[GridSpec[8, 5, 1., 0., 0.],
+  {start, plain, fast},
+  start[] := OccupancyGrid[GridSpec[8, 5, 1., 0., 0.],
     p0, pOcc, pFree, lMin, lMax];
-  fast = plain;
+  plain = start[];
+  fast = start[];
   Scan[UpdateGridFromScan[plain, #, 6., noReturn] &, wildScans];
   UpdateGridFromScans[fast, wildScans, 6., noReturn];
   {gridBits[plain] === gridBits[fast],
@@ -79,10 +80,11 @@ VerificationTest[
   Map[{True, True} &, models],
   TestID -> "plain and fast, no return is ignored"]
 VerificationTest[
-  Module[{one, all},
-    one = OccupancyGrid[GridSpec[8, 5, 1., 0., 0.],
+  Module[{start, one, all},
+    start[] := OccupancyGrid[GridSpec[8, 5, 1., 0., 0.],
       0.5, 0.75, 0.3, -2., 2.];
-    all = one;
+    one = start[];
+    all = start[];
     Scan[UpdateGridFromScans[one, {#}, 6., "free"] &, wildScans];
     UpdateGridFromScans[all, wildScans, 6., "free"];
     gridBits[one] === gridBits[all]],
@@ -91,10 +93,12 @@ VerificationTest[
 
 (* far away: cells of a millimetre at ten million metres, long beams *)
 VerificationTest[
-  Module[{plain, fast},
-    plain = OccupancyGrid[GridSpec[5, 4, 0.001, 9999999.997, -9999999.998],
+  Module[{start, plain, fast},
+    start[] := OccupancyGrid[
+      GridSpec[5, 4, 0.001, 9999999.997, -9999999.998],
       0.5, 0.75, 0.3, -8., 8.];
-    fast = plain;
+    plain = start[];
+    fast = start[];
     With[{scan = RangeScan[Pose[9999990., -9999999.996, 0.],
         {0., 1.*^-4, -1.*^-4}, {9.9992, 12., 20.}]},
       UpdateGridFromScan[plain, scan, 20., "free"];

@@ -21,7 +21,7 @@ languageNames = Union[StringSplit["
   Complement ConstantArray Count CreateDirectory CreateFile
   DataRange DataReversed DateObject DeleteCases DeleteFile DirectoryQ Directory
   DirectoryName Divide Do
-  End Environment EvenQ Exit Export
+  End EndPackage Environment EvenQ Exit Export
   False FileByteCount FileDate FileExistsQ FileNameJoin FileNames First Flatten
   Floor Fold Frame FrameLabel FrameTicks FromCharacterCode FromDigits Function
   General Get Graphics GrayLevel
