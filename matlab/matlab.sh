@@ -24,9 +24,13 @@ literals() {
 }
 
 # Runs a command. A signal that ends this script goes to the command first,
-# which removes its temporary files; its input is this script's own.
+# which removes its temporary files; its input is this script's own. A shell
+# has its background ignore SIGINT: Octave would, too, until it is up.
 run() {
     exec 3<&0
+    if env --default-signal=INT true 2> /dev/null; then
+        set -- env --default-signal=INT "$@"
+    fi
     "$@" <&3 3<&- &
     child=$!
     for signal in HUP INT TERM; do
