@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import pickle
+import shutil
+import subprocess
 import sys
 import textwrap
 from collections.abc import Callable
@@ -118,6 +120,27 @@ def need(built: dict[str, Built]) -> Callable[[str], Port]:
         return built[name].port
 
     return check
+
+
+@pytest.fixture(scope="session")
+def map_loader(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The program that loads a map, for ``map_loading.load_map``."""
+    if shutil.which("g++") is None:
+        unavailable("no g++: install g++")
+    program = tmp_path_factory.mktemp("loader") / "map_loader"
+    source = Path(__file__).with_name("map_loader.cpp")
+    header = subprocess.run(
+        ["g++", "-E", "-x", "c++", "-"],
+        input="#include <yaml-cpp/yaml.h>\n",
+        text=True,
+        capture_output=True,
+        check=False,
+    )
+    if header.returncode != 0:
+        unavailable("no yaml-cpp: install libyaml-cpp-dev")
+    command = ["g++", "-std=c++17", "-O1", str(source), "-o", str(program)]
+    subprocess.run([*command, "-lyaml-cpp"], check=True)
+    return program
 
 
 FAKE = """

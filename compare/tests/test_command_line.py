@@ -2,57 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import os
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from occgrid_parity.formats.map_files import SUFFIXES
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.processes.process_group import Finished, run_process
+from occgrid_parity.processes.process_group import search_path
 
-from .conftest import PORTS, ROOT, unavailable
+from .conftest import ROOT, unavailable
+from .port_runs import command_line, each_port, files, run_port, shell
 
 GOOD = ROOT / "scenarios" / "asymmetric.log"
 OTHER = ROOT / "scenarios" / "one-beam.log"
-PLACEHOLDERS = ("{mode}", "--out", "{out}", "{scenario}", "{scenarios}")
-
-
-def command_line(port: Port, *arguments: str | Path) -> list[str]:
-    """The port's program, with these arguments in place of its template's."""
-    begin = min(i for i, word in enumerate(port.run) if word in PLACEHOLDERS)
-    assert set(port.run[begin:]) <= set(PLACEHOLDERS)
-    return [*port.command(port.run[:begin]), *map(str, arguments)]
-
-
-def run_port(
-    port: Port,
-    folder: Path,
-    *arguments: str | Path,
-    within: Sequence[str] = (),
-    environment: Mapping[str, str] | None = None,
-) -> Finished:
-    """Runs the port in a folder; ``within`` is a command that its command line is handed to."""
-    return run_process(
-        [*within, *command_line(port, *arguments)],
-        cwd=folder,
-        stdout=folder / f"{port.name}.stdout",
-        stderr=folder / f"{port.name}.stderr",
-        time_limit=port.timeout,
-        environment=environment,
-    )
-
-
-def shell(script: str, *arguments: str) -> list[str]:
-    """A shell script that is handed the words after it as well."""
-    return ["sh", "-c", script, "sh", *arguments]
-
-
-def files(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
-
-
-each_port = pytest.mark.parametrize("name", [port.name for port in PORTS])
 
 
 @each_port
@@ -223,9 +188,21 @@ def test_says_that_the_disk_is_full(
 
 
 @each_port
-@pytest.mark.parametrize("output", ["> /dev/full", ">&-"])
+@pytest.mark.parametrize(
+    ("output", "argument"),
+    [
+        ("> /dev/full", OTHER),
+        (">&-", OTHER),
+        ("> /dev/full", "--help"),
+        ("> /dev/full", "--version"),
+    ],
+)
 def test_says_that_standard_output_cannot_be_written(
-    need: Callable[[str], Port], tmp_path: Path, output: str, name: str
+    need: Callable[[str], Port],
+    tmp_path: Path,
+    output: str,
+    argument: str | Path,
+    name: str,
 ) -> None:
     """On a full disk, and where it is closed from the start."""
     if not Path("/dev/full").exists():
@@ -234,7 +211,7 @@ def test_says_that_standard_output_cannot_be_written(
     finished = run_port(
         port,
         tmp_path,
-        OTHER,
+        argument,
         within=shell(f'exec "$@" {output}'),
         environment={"PYTHONUNBUFFERED": ""},  # which hides what is left over
     )
@@ -247,6 +224,30 @@ def test_says_that_standard_output_cannot_be_written(
     )
 
 
+@each_port
+def test_a_closed_pipe_is_a_write_that_fails(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    """Nobody reads the pipe from the start."""
+    port = need(name)
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer):
+        finished = subprocess.run(
+            command_line(port, OTHER),
+            cwd=tmp_path,
+            env={**os.environ, "PATH": search_path()},
+            stdout=writer,
+            stderr=subprocess.PIPE,
+            timeout=port.timeout,
+            check=False,
+        )
+    assert (finished.returncode, finished.stderr) == (
+        1,
+        b"standard output: cannot be written\n",
+    )
+
+
 USAGE = {
     "unknown-option": ["--noisy"],
     "no-seed": ["--seed"],
@@ -254,6 +255,15 @@ USAGE = {
     "large-seed": ["--seed", "4294967296"],
     "text-seed": ["--seed", "1.0"],
     "empty-out": ["--out"],
+    "option-for-a-value": ["--out", "--noise-free", str(GOOD)],
+    "empty-value": ["--out", "", str(GOOD)],
+    "dash": ["-"],
+    "two-dashes": ["--", str(GOOD)],
+    "number": ["-5"],
+    "equals-sign": ["--seed=7", str(GOOD)],
+    "long-seed": ["--seed", "99999999999999999999", str(GOOD)],
+    "before-help": ["--bogus", "--help"],
+    "same-name-behind-a-slash": ["--out", "out", str(GOOD), f"{GOOD}/"],
     "two-modes": ["--noise-free", "--seed", "1"],
     "two-modes-turned": ["--seed", "0", "--noise-free"],
     "several-without-out": [str(GOOD), str(OTHER)],
@@ -284,6 +294,47 @@ def test_bad_usage(
     assert "usage" in said.lower()
     assert len(said.splitlines()) >= 2
     assert files(tmp_path) == [f"{name}.stderr", f"{name}.stdout"]
+
+
+@each_port
+def test_values_of_odd_forms(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    """A seed of 22 digits, and a folder whose name begins with a dash."""
+    seed = "0" * 21 + "7"
+    finished = run_port(
+        need(name), tmp_path, "--seed", seed, "--out", "-x", GOOD
+    )
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    plain = run_port(need(name), tmp_path, "--seed", "7", GOOD)
+    picture = tmp_path / "-x" / f"{GOOD.stem}.pgm"
+    assert picture.read_bytes() == plain.stdout.read_bytes()
+
+
+@each_port
+@pytest.mark.parametrize("scenarios", [[f"{GOOD}/"], ["d/", "a/"]])
+def test_a_path_that_ends_with_a_slash_cannot_be_read(
+    need: Callable[[str], Port],
+    tmp_path: Path,
+    scenarios: list[str],
+    name: str,
+) -> None:
+    (tmp_path / "d").mkdir()
+    finished = run_port(need(name), tmp_path, "--out", "o", *scenarios)
+    assert (finished.exit_status, finished.stderr.read_text()) == (
+        1,
+        f"{scenarios[0]}:0: cannot be read\n",
+    )
+    assert not (tmp_path / "o").exists()
+
+
+@each_port
+def test_help_acts_where_it_is_read(
+    need: Callable[[str], Port], tmp_path: Path, name: str
+) -> None:
+    finished = run_port(need(name), tmp_path, "--help", "--bogus")
+    assert (finished.exit_status, finished.stderr.read_bytes()) == (0, b"")
+    assert "usage" in finished.stdout.read_text().lower()
 
 
 @each_port

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
-import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -15,41 +13,8 @@ from occgrid.mapper import map_scenario
 from occgrid.scenario import read_scenario
 
 from .bags import write_bag
-from .conftest import unavailable
+from .map_loading import load_map
 from .test_bags import Mount, convert, drive, scenario_of
-
-
-@pytest.fixture(scope="module")
-def loader(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The program that loads a map."""
-    if shutil.which("g++") is None:
-        unavailable("no g++: install g++")
-    program = tmp_path_factory.mktemp("loader") / "map_loader"
-    source = Path(__file__).with_name("map_loader.cpp")
-    header = subprocess.run(
-        ["g++", "-E", "-x", "c++", "-"],
-        input="#include <yaml-cpp/yaml.h>\n",
-        text=True,
-        capture_output=True,
-        check=False,
-    )
-    if header.returncode != 0:
-        unavailable("no yaml-cpp: install libyaml-cpp-dev")
-    command = ["g++", "-std=c++17", "-O1", str(source), "-o", str(program)]
-    subprocess.run([*command, "-lyaml-cpp"], check=True)
-    return program
-
-
-def load(loader: Path, yaml: Path) -> tuple[GridSpec, np.ndarray]:
-    """The map as ROS has it: 100 occupied, 0 free, -1 unknown; (height, width), the smallest y first."""
-    text = subprocess.run(
-        [str(loader), str(yaml)], capture_output=True, text=True, check=True
-    ).stdout.split()
-    width, height = int(text[0]), int(text[1])
-    resolution, x, y, yaw = map(float, text[2:6])
-    assert yaw == 0.0
-    cells = np.array(text[6:], dtype=np.int64).reshape(height, width)
-    return GridSpec(width, height, resolution, x, y), cells
 
 
 def check_cells(
@@ -72,14 +37,16 @@ def check_cells(
 
 
 @pytest.mark.parametrize("p0", ["0.5", "0.4"])
-def test_the_map_of_a_bag_loads(tmp_path: Path, loader: Path, p0: str) -> None:
+def test_the_map_of_a_bag_loads(
+    tmp_path: Path, map_loader: Path, p0: str
+) -> None:
     log = write_bag(tmp_path / "drive", "mcap", lambda m: drive(m, Mount()))
     status, text = convert(log, "--p0", p0)
     assert status == 0, text
     with read_scenario(scenario_of(log)) as scenario:
         grid = map_scenario(scenario, None)
     write_map(tmp_path, "a map", grid)
-    spec, cells = load(loader, tmp_path / "a map.yaml")
+    spec, cells = load_map(map_loader, tmp_path / "a map.yaml")
     check_cells(grid, spec, cells)
     # the wall at x = 5.11, seen from the robot's side, stands where the world has it
     column = int((5.11 - spec.origin_x) / spec.resolution)

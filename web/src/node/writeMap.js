@@ -147,10 +147,10 @@ function removeOld(inFolder) {
   }
 }
 
-/** @param {string} path */
+/** Whether a path is a folder, or a link to one. @param {string} path */
 function isFolder(path) {
   return (
-    lstatSync(toBytes(path), { throwIfNoEntry: false })?.isDirectory() ?? false
+    statSync(toBytes(path), { throwIfNoEntry: false })?.isDirectory() ?? false
   );
 }
 
