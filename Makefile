@@ -11,10 +11,10 @@ SHELL := /bin/bash
 
 JOBS ?= 2
 PORTS := python cpp java matlab mathematica web
-PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica web bench
+PARTS := lint python cpp cpp-format java matlab matlab-lint mathematica mathics web bench
 # These need the ports as they are built by then.
 LAST_PARTS := web-pages compare handouts
-LONG_PARTS := mathics web-pages-long
+LONG_PARTS := mathics-all web-pages-long
 ALL_PARTS := $(PARTS) $(LAST_PARTS) $(LONG_PARTS)
 BIN := .venv/bin
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
@@ -173,8 +173,12 @@ run-test-mathematica:
 	@scripts/part mathematica '$(WOLFRAM)' 'occgrid-parity build mathematica; sh mathematica/wolfram.sh mathematica/tests/run_tests.wls; \
 	    sh mathematica/tests/command.sh; sh mathematica/tests/readme.sh'
 
+# Contexts, noise and one beam; all that Mathics can run takes minutes.
 run-test-mathics:
-	@scripts/part mathics 'python3' 'sh mathematica/tests/run_mathics.sh'
+	@scripts/part mathics 'python3' 'sh mathematica/tests/run_mathics.sh Noise Mapper'
+
+run-test-mathics-all:
+	@scripts/part mathics-all 'python3' 'sh mathematica/tests/run_mathics.sh'
 
 run-test-web:
 	@scripts/part web 'node=nodejs npm' 'cd web; npm ci --silent; npm run --silent types; npm run --silent lint; npm test'

@@ -2,7 +2,7 @@
 
     build/mathics/bin/python mathematica/tests/run_mathics.py [NAME...]
 
-NAME is a test file, as Grid for tests/Grid.wlt; without any: all that stand in TESTS. Needs the package Mathics3 (PyPI).
+NAME is a test file, as Grid for tests/Grid.wlt; without any: all that stand in TESTS. Needs Mathics3 (from PyPI).
 
 The package is loaded by its name, Needs["OccupancyGrid`"]. Then no name may have come into the wrong context, and the
 tests run one by one. What Mathics cannot do stands in mathematica/README.md, in the table below "What Mathics3 cannot
@@ -14,6 +14,8 @@ then N passed, N failed, N cannot run; ends with status 1 where something failed
 from __future__ import annotations
 
 import fnmatch
+import functools
+import operator
 import re
 import signal
 import sys
@@ -27,6 +29,9 @@ from mathics.core.load_builtin import import_and_load_builtins
 
 import_and_load_builtins()
 
+from mathics.core.atoms import Integer  # noqa: E402
+from mathics.core.attributes import A_LISTABLE, A_PROTECTED  # noqa: E402
+from mathics.core.builtin import Builtin  # noqa: E402
 from mathics.core.parser import MathicsFileLineFeeder  # noqa: E402
 from mathics.session import MathicsSession  # noqa: E402
 
@@ -44,18 +49,22 @@ SetAttributes[VerificationTest, HoldFirst];
 VerificationTest[input_, expected_, options___] := With[{actual = input},
   {TestID /. {options}, SameQ[actual, expected], ToString[actual, InputForm]}];
 """
-# Mathics has no BitXor, without which there is no noise.
-BIT_XOR = """
-SetAttributes[System`BitXor, Listable];
-System`BitXor[a_Integer, b_Integer] := FromDigits[
-  Mod[IntegerDigits[a, 2, 32] + IntegerDigits[b, 2, 32], 2], 2];
-System`BitXor[a_, b_, c_] := System`BitXor[System`BitXor[a, b], c];
-"""
 # Capital names are public, or of the language: none may be private, and none of the package's global.
 STRAY = (
     'Select[Names["OccupancyGrid`Private`*"], StringMatchQ[#,'
     ' RegularExpression["(.*`)?[$]?[A-Z].*"]] &]'
 )
+
+
+class BitXor(Builtin):
+    """The function of the language that Mathics has not: without it there is no noise."""
+
+    attributes = A_LISTABLE | A_PROTECTED
+
+    def eval(self, words: Any, evaluation: Any) -> Integer:
+        "BitXor[words__Integer]"
+        values = [word.value for word in words.get_sequence()]
+        return Integer(functools.reduce(operator.xor, values))
 
 
 class TooSlow(Exception):
@@ -81,6 +90,7 @@ class Kernel:
 
     def __init__(self) -> None:
         self.session = MathicsSession(add_builtin=True, catch_interrupt=False)
+        BitXor(expression=False).contribute(self.session.definitions)
         sys.setrecursionlimit(20000)
 
     def run(self, code: str) -> Any:
@@ -95,7 +105,6 @@ class Kernel:
         wrong = []
         # Mathics counts the steps of a whole session against it.
         self.run("$IterationLimit = Infinity")
-        self.run_all(BIT_XOR)
         self.run(f'$Path = Prepend[$Path, "{PORT}"]')
         self.run('Needs["OccupancyGrid`"]')
         wrong += [f"message while loading: {text}" for text in self.messages()]
@@ -159,7 +168,7 @@ class Kernel:
                     :300
                 ]
             return False, str(result)[:300]
-        except Exception as error:  # noqa: BLE001
+        except Exception as error:
             return False, f"{type(error).__name__}: {error}"[:300]
         finally:
             signal.setitimer(signal.ITIMER_PROF, 0)
