@@ -56,7 +56,11 @@ for argument; do
         out=$argument
     fi
     previous=$argument
-    printf '%s\0' "$argument"
+    printf '%s\0' "$argument" 2> /dev/null || {
+        echo "$OCCGRID_FOLDER/arguments: cannot be written" >&2
+        rm -rf "$OCCGRID_FOLDER"
+        exit 1
+    }
 done > "$OCCGRID_FOLDER/arguments"
 case $out in
 -*) out=./$out ;;

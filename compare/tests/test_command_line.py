@@ -173,16 +173,18 @@ def test_shares_standard_output_with_others(
 def test_says_that_the_disk_is_full(
     need: Callable[[str], Port], tmp_path: Path, name: str
 ) -> None:
-    """A file that no byte can be written into, though it can be opened."""
+    """No file can be longer than 512 bytes, as the picture and the log-odds are."""
     port = need(name)
-    script = "trap '' XFSZ; ulimit -f 0; exec \"$@\""
+    scenario = ROOT / "scenarios" / "saturate.log"
+    script = "trap '' XFSZ; ulimit -f 1; exec \"$@\""
     finished = run_port(
-        port, tmp_path, "--out", "out", OTHER, within=shell(script)
+        port, tmp_path, "--out", "out", scenario, within=shell(script)
     )
     said = finished.stderr.read_text()
     assert finished.exit_status == 1
     assert said in [
-        f"out/{OTHER.stem}{suffix}: cannot be written\n" for suffix in SUFFIXES
+        f"out/{scenario.stem}{suffix}: cannot be written\n"
+        for suffix in SUFFIXES
     ]
     assert files(tmp_path / "out") == []
 

@@ -352,9 +352,14 @@ def start_writing(
 def test_a_signal_leaves_no_temporary_file(
     tmp_path: Path, number: signal.Signals
 ) -> None:
-    """The run ends by the signal."""
+    """The run ends by the signal, also where these tests run in the background and ignore SIGINT themselves."""
     out = tmp_path / "maps"
-    with start_writing(tmp_path, out) as process:
+    before = signal.signal(number, signal.SIG_DFL)
+    try:
+        process = start_writing(tmp_path, out)
+    finally:
+        signal.signal(number, before)
+    with process:
         process.send_signal(number)
         _, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (-number, b"")

@@ -142,7 +142,7 @@ def test_hidden_scenarios_are_hidden(tmp_path: Path) -> None:
         "scenarios = ['shown.log']\nhidden = ['secret.log']\n[points]\nshown = 2\nsecret = 3\n",
     )
     statuses = {level.name: level.status for level in verdict.levels}
-    assert statuses["shown"] == "identical"
+    assert statuses["shown"] == "identical", verdict.levels
     assert statuses["secret"] == "failed"
     assert verdict.overall == "differs"
     kept = tmp_path / "out" / SUBMISSIONS / "one"
