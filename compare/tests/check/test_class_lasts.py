@@ -160,3 +160,13 @@ def test_a_link_is_not_followed(tmp_path: Path) -> None:
         ).read_text()
     )
     assert "not a file, left out: theirs.awk" in verdict.notes
+
+
+def test_without_an_explanation_no_mistake_is_named(tmp_path: Path) -> None:
+    declaration = RIGHT.replace('"{scen', '"-v", "bug=prior", "{scen')
+    submit(tmp_path, "wrong", declaration)
+    check(tmp_path, "--scenario", "prior", "--no-explain")
+    assert rows(tmp_path)["wrong"]["word"] == "differs"
+    assert rows(tmp_path)["wrong"]["cause"] == ""
+    check(tmp_path, "--scenario", "prior")
+    assert rows(tmp_path)["wrong"]["cause"] == "prior-not-subtracted"

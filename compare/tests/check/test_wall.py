@@ -90,6 +90,18 @@ def test_what_must_not_be_seen(tmp_path: Path, name: str) -> None:
     assert f"exit status {status}" in open_.summary
 
 
+def test_a_copied_picture_is_no_map(tmp_path: Path) -> None:
+    """The golden picture gives full marks only where there is no wall."""
+    place = submit(tmp_path, "copies", "true")
+    (place / "port.toml").write_text(
+        f'run = ["sh", "-c", "cat {GOLDEN} # $0", "{{scenario}}"]\n'
+    )
+    verdict = check(tmp_path)["copies"]
+    assert verdict.overall == "failed"
+    assert verdict.score < verdict.maximum
+    assert check(tmp_path, "none")["copies"].overall == "identical"
+
+
 WRITES = {
     "overwrites-another": "echo 'run = 7' > {folder}/in/victim/port.toml",
     "overwrites-results": "test -d {folder}/out && echo 7 > {folder}/out/stolen",
