@@ -20,8 +20,9 @@ Answers = dict[tuple[str, str], list[str] | ProbeError]
 def ask_ports(
     ports: Sequence[Port], questions: Mapping[str, list[str]], folder: Path
 ) -> Answers:
-    """What each port answers to the questions of each function."""
-    work = [(port, function) for port in ports for function in questions]
+    """What each port answers to the questions of each function; the slowest port is asked first."""
+    slowest_first = sorted(ports, key=lambda port: -port.timeout)
+    work = [(port, name) for port in slowest_first for name in questions]
 
     def ask(item: tuple[Port, str], stop: object) -> list[str] | ProbeError:
         port, function = item

@@ -109,6 +109,12 @@ def maps(
     return run(plan)
 
 
+def need_compiler(name: str) -> None:
+    """Skips the test where there is no such compiler."""
+    if shutil.which(name) is None:
+        unavailable(f"no {name}: install {COMPILERS[name]}")
+
+
 @pytest.mark.parametrize(("compiler", "flags"), VARIANTS)
 def test_the_same_bits(
     need: Callable[[str], Port],
@@ -118,8 +124,7 @@ def test_the_same_bits(
     flags: str,
 ) -> None:
     need("cpp")
-    if shutil.which(compiler) is None:
-        unavailable(f"no {compiler}: install {COMPILERS[compiler]}")
+    need_compiler(compiler)
     name = variant_name(compiler, flags)
     found = [result for result in maps.results if result.port == name]
     assert len(found) == len(maps.scenarios) * len(maps.modes)
@@ -142,8 +147,7 @@ def test_is_built_with_these_flags(
 ) -> None:
     """The port's own build must not turn the flags into others."""
     need("cpp")
-    if shutil.which(compiler) is None:
-        unavailable(f"no {compiler}: install {COMPILERS[compiler]}")
+    need_compiler(compiler)
     one = variants[variant_name(compiler, flags)]
     assert not one.problem
     commands = json.loads(

@@ -12,11 +12,10 @@ from fractions import Fraction
 import pytest
 
 from occgrid_parity.ports.declaration import Port
-from occgrid_parity.ports.probing import ProbeError, run_probe
-from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.process_group import run_process
 
-from .conftest import JOBS, PORTS, ROOT, unavailable
+from .conftest import PORTS, ROOT, unavailable
+from .probe_answers import Answers, answered, ask_ports
 
 FUNCTIONS = ("sin", "cos", "exp", "log")
 ARGUMENTS = 100_000
@@ -228,24 +227,9 @@ def answers(
     questions: dict[str, list[str]],
     ready: list[Port],
     tmp_path_factory: pytest.TempPathFactory,
-) -> dict[tuple[str, str], list[str] | ProbeError]:
+) -> Answers:
     """What each port's probe answers to each function."""
-    folder = tmp_path_factory.mktemp("probes")
-    work = [
-        (port, function)
-        for port in sorted(ready, key=lambda port: -port.timeout)
-        for function in FUNCTIONS
-    ]
-
-    def ask(item: tuple[Port, str], stop: object) -> list[str] | ProbeError:
-        port, function = item
-        try:
-            return run_probe(port, function, questions[function], folder)
-        except ProbeError as error:
-            return error
-
-    found = side_by_side(ask, work, JOBS)
-    return {(p.name, f): a for (p, f), a in zip(work, found, strict=True)}
+    return ask_ports(ready, questions, tmp_path_factory.mktemp("probes"))
 
 
 def shown(line: str) -> str:
@@ -257,15 +241,13 @@ def shown(line: str) -> str:
 def test_answers_as_strict_math(
     questions: dict[str, list[str]],
     expected: dict[str, list[str]],
-    answers: dict[tuple[str, str], list[str] | ProbeError],
+    answers: Answers,
     need: Callable[[str], Port],
     port: str,
     function: str,
 ) -> None:
     limit = need(port).probe_lines
-    found = answers[port, function]
-    if isinstance(found, ProbeError):
-        pytest.fail(str(found), pytrace=False)
+    found = answered(answers, port, function)
     asked, right = questions[function], expected[function]
     assert len(asked) >= ARGUMENTS
     assert len(right) == len(asked)
