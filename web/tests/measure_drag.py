@@ -1,6 +1,6 @@
 """How long a frame of play.html takes while something is dragged, and while it plays.
 
-    ../.venv/bin/python tests/measure_drag.py [SECONDS]
+    ../.venv/bin/python tests/measure_drag.py [SECONDS]     0: the script alone
 
 In a headless Chromium, which draws by software. For each kind: frames a second, and milliseconds a frame by its
 own counters: script, style and layout, and all that its main thread does, painting included. Other threads put the
@@ -37,6 +37,33 @@ FIGURES = """() => {
       figureTimes[name] += performance.now() - start;
     };
   }
+}"""
+
+
+# The script of a frame by itself, over and over: other programs on the machine can only lengthen it.
+SCRIPT = """([kind, scan, times]) => {
+  const { lab, draw } = occgridPage;
+  lab.goTo(scan);
+  const { x, y, theta } = lab.poses[scan - 1];
+  const { walls } = lab.world;
+  const Pose = lab.poses[0].constructor, Segment = walls[0].constructor;
+  const acts = {
+    robot: (i) => { lab.free = new Pose(x + Math.cos(i / 9), y + Math.sin(i / 9), theta); },
+    wall: (i) => {
+      const { x0, y0, x1, y1 } = walls[5];
+      const up = Math.round(20 * Math.sin(i / 9)) / 20;
+      lab.setWalls([...walls.slice(0, 5), new Segment(x0, y0 + up, x1, y1 + up)]);
+    },
+    slider: (i) => lab.set({ maxRange: 10 + 5 * Math.sin(i / 9) }),
+  };
+  const taken = [];
+  for (let i = 0; i < times; i++) {
+    const start = performance.now();
+    acts[kind](i);
+    draw();
+    taken.push(performance.now() - start);
+  }
+  return taken.slice(times / 4).sort((a, b) => a - b);
 }"""
 
 
@@ -130,6 +157,16 @@ KINDS: dict[str, tuple[Callable[[Page, float], None], int]] = {
 }
 
 
+SCRIPTS = [
+    ("robot", 24),
+    ("robot", 110),
+    ("wall", 24),
+    ("wall", 120),
+    ("slider", 24),
+    ("slider", 120),
+]
+
+
 def measure(page: Page, kind: str, seconds: float) -> str:
     act, scan = KINDS[kind]
     page.evaluate(f"location.hash = '#scan={scan}'")
@@ -171,8 +208,18 @@ def main() -> None:
         browser = driver.chromium.launch(
             executable_path=CHROMIUM, args=ARGUMENTS
         )
-        print(browser.version)
-        for kind in KINDS:
+        print(f"Chromium {browser.version}")
+        for kind, scan in SCRIPTS:
+            page = browser.new_page(viewport={"width": 1280, "height": 1000})
+            page.goto((Path(folder) / "play.html").as_uri())
+            taken = page.evaluate(SCRIPT, [kind, scan, 400])
+            print(
+                f"script alone, {kind}, scan {scan}: least {taken[0]:.1f},"
+                f" quarter {taken[len(taken) // 4]:.1f}, median {taken[len(taken) // 2]:.1f} ms a frame",
+                flush=True,
+            )
+            page.close()
+        for kind in KINDS if seconds > 0.0 else ():
             page = browser.new_page(viewport={"width": 1280, "height": 1000})
             page.goto((Path(folder) / "play.html").as_uri())
             print(measure(page, kind, seconds), flush=True)

@@ -103,6 +103,8 @@ Object.assign(window, {
     lab,
     figures: { ...live, ...calm },
     mistakes: Array.from(MISTAKES.keys()),
+    /** What every frame draws. */
+    draw: () => draw(Object.values(live)),
     render: () => {
       draw(Object.values(live));
       drawCalm();
