@@ -44,7 +44,8 @@ def lay_out(root: Path, copy: Path) -> Path:
     ):
         subprocess.run(command, cwd=copy, check=True)
     exclude = copy / ".git" / "info" / "exclude"
-    exclude.write_text("".join(f"/{name}\n" for name in MADE))
+    # the class is the course's own folder
+    exclude.write_text("".join(f"/{name}\n" for name in (*MADE, "class/")))
     for name in MADE:
         if (root / name).exists():
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
@@ -67,11 +68,11 @@ def _bring(copy: Path) -> None:
     for name in ("submissions/team-a", "submitted/ada/mapping"):
         (copy / name).mkdir(parents=True)
         (copy / name / "port.toml").write_text(f"run = {command}\n")
-    rules = 'sandbox = "none"\n[check]\nsuite = false\nscenarios = ["one-beam.log"]\n'
+    rules = 'sandbox = "none"\n[check]\nsuite = false\nscenarios = ["course.log"]\n'
     scenarios = copy / "scenarios"
     for folder in (copy, copy / "submissions"):
         (folder / "class.toml").write_text(rules)
-        shutil.copy(scenarios / "one-beam.log", folder)
+        shutil.copy(scenarios / "one-beam.log", folder / "course.log")
     (copy / "port.toml").write_text(f"run = {command}\n")
     (copy / "roster.csv").write_text(
         'submission,Student,ID,SIS Login ID,Section,Email address\nteam-a,"Doe, Jane",101,jdoe,1,jdoe@example.org\n'
