@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from occgrid.lesson import lesson_poses, lesson_settings, lesson_world
-from occgrid.noise import add_range_noise
+from occgrid.noise import add_range_noise, normal_deviate
 from occgrid.portable_math import cos, sin
 from occgrid.world import Pose
 
@@ -653,6 +653,28 @@ def noise_corners() -> str:
     )
 
 
+def noise_half() -> str:
+    """Noisy ranges that end so close to a cell edge that the half in the noise's uniform numbers decides."""
+    edge, gap = 6.0, 5e-11
+    walls, scans = [], []
+    for scan in range(48):
+        deviate = float(normal_deviate(scan % 2, scan, np.array([0]))[0])
+        end = edge + (gap if scan % 4 < 2 else -gap)
+        x = _number(end - deviate)
+        walls.append(f"WALL {x} {scan} {x} {scan + 1}")
+        scans.append(_pose(Pose(0.25, scan + 0.5, 0.0)))
+    return _text(
+        "With the noise of seed 0, and of seed 1, one beam in two ends 5e-11 m "
+        "beside a cell edge: w + 0.5 in the uniform numbers decides its side.",
+        [
+            *_grid(12, 48, 1.0, 0.0, 0.0, 12.0),
+            *_params(beams=1, noise_std=1.0),
+            *walls,
+        ],
+        scans,
+    )
+
+
 SCENARIOS: dict[str, Callable[[], str]] = {
     "lesson": lesson,
     "lesson-offset": lesson_offset,
@@ -689,6 +711,7 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "large-angles": large_angles,
     "corners": corners,
     "noise-corners": noise_corners,
+    "noise-half": noise_half,
 }
 
 

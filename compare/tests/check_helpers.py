@@ -10,14 +10,13 @@ from pathlib import Path
 import numpy as np
 
 from occgrid.scenario import ScenarioError
+from occgrid.sensor import Scan
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.program_check import check_program
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.check.whole_check import check
 from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
-from occgrid_parity.model.array_types import Array, Cells, Mask
-from occgrid_parity.model.line_cells import Lines
-from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.model.mapper_steps import Ends, Mapper
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.programs.program import program_from_command
@@ -100,16 +99,13 @@ def wrong_beam(x: float, y: float) -> type[Mapper]:
 
     class WrongBeam(Mapper):
         name = "wrong-beam"
-        marks: tuple[Mask, ...] = ()
 
-        def to_grid(self, xs: Array, ys: Array) -> tuple[Cells, Cells]:
-            self.marks = (
-                *self.marks[-1:],
-                (xs == x) & (ys == y),
-            )  # of the ends, then of the starts
-            return super().to_grid(xs, ys)
-
-        def evidence(self, lines: Lines, hit: Mask) -> tuple[Lines, Mask]:
-            return super().evidence(lines, hit & ~self.marks[0])
+        def ends(self, scan: Scan) -> Ends:
+            z, _, used = self.read(scan.ranges)
+            beam = self.beam(scan.pose.theta, scan.angles)
+            ex, ey = self.endpoint(scan.pose, beam, z)
+            wrong = (ex == x) & (ey == y)
+            ends = super().ends(scan)
+            return ends._replace(hit=ends.hit & ~wrong[used])
 
     return WrongBeam

@@ -167,10 +167,18 @@ class OncePerScanOccupiedWins(Mapper):
 
 
 def _keys(traced: Traced) -> Cells:
-    """One number for each cell."""
-    low = np.min(traced.gx, initial=0)
-    span = np.max(traced.gx, initial=0) - low + 1
-    return traced.gy * span + (traced.gx - low)
+    """One number for each cell of each scan."""
+    columns, low = _span(traced.gx)
+    rows, bottom = _span(traced.gy)
+    return (traced.scan * rows + traced.gy - bottom) * columns + (
+        traced.gx - low
+    )
+
+
+def _span(cells: Cells) -> tuple[int, int]:
+    """How many numbers there are from the least to the largest, and the least."""
+    low = int(np.min(cells, initial=0))
+    return int(np.max(cells, initial=0)) - low + 1, low
 
 
 class ExpOfReducedArgument(Mapper):

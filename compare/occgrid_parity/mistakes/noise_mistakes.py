@@ -114,6 +114,20 @@ class NoiseUniformsSwapped(Mapper):
         return box_muller(u2, u1, self.numbers)
 
 
+class NoiseOfWholeWords(Mapper):
+    name = "noise-of-whole-words"
+    title = "the uniform numbers of the noise are (w + 1) / 2^32"
+    lesson = (
+        "A word w makes the uniform number (w + 0.5) / 2^32. With 1 in place of the half, every range moves by less "
+        "than a nanometre, so only a beam that ends beside a cell edge shows it."
+    )
+    where = NOISE
+
+    def deviate(self, seed: int, scan: int, beams: Cells) -> Array:
+        u1, u2, _, _ = uniforms(seed, scan, beams, part=1.0)
+        return box_muller(u1, u2, self.numbers)
+
+
 class NoiseOnHitsOnly(Mapper):
     name = "noise-on-hits-only"
     title = "a beam that met no wall gets no noise"
@@ -200,6 +214,7 @@ MISTAKES: tuple[type[Mapper], ...] = (
     NoiseWithSine,
     NoiseOfOtherWords,
     NoiseUniformsSwapped,
+    NoiseOfWholeWords,
     NoiseOnHitsOnly,
     NoiseSubtracted,
     NoiseVariance,

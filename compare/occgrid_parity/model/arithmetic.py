@@ -64,9 +64,12 @@ PLATFORM = Arithmetic(
 
 
 def uniforms(
-    seed: int, scans: npt.ArrayLike, beams: npt.ArrayLike
+    seed: int,
+    scans: npt.ArrayLike,
+    beams: npt.ArrayLike,
+    part: float = 0.5,
 ) -> tuple[Array, Array, Array, Array]:
-    """The four words of each beam's noise as numbers between 0 and 1, (n,) each.
+    """The four words of each beam's noise as numbers between 0 and 1, (n,) each; a word w is (w + part) / 2^32.
 
     One of scans and beams may be a single number.
     """
@@ -76,7 +79,7 @@ def uniforms(
     zero = np.zeros_like(beam)
     counter = np.stack([scan, beam, zero, zero])
     words = philox4x32(counter, (seed, 0)).astype(np.float64)
-    first, second, third, fourth = (words + 0.5) / 4294967296.0
+    first, second, third, fourth = (words + part) / 4294967296.0
     return first, second, third, fourth
 
 

@@ -20,7 +20,7 @@ from occgrid_parity.model.line_cells import Lines, contract_lines
 from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.suite.cases import Case
 
-BATCH_CELLS = 1 << 20
+BATCH_CELLS = 1 << 17
 
 
 class Drawn(NamedTuple):
@@ -46,6 +46,50 @@ class Traced(NamedTuple):
             self.gy[chosen],
             self.occupied[chosen],
         )
+
+
+class Window(NamedTuple):
+    """A rectangle of cells; the right and the upper border belong to it no more."""
+
+    left: int
+    bottom: int
+    right: int
+    top: int
+
+
+class Ends(NamedTuple):
+    """The cells in which beams start and end, and which of them are hits; all (n,)."""
+
+    gx0: Cells
+    gy0: Cells
+    gx1: Cells
+    gy1: Cells
+    hit: Mask
+
+    def where(self, chosen: Mask) -> Ends:
+        """Some of the beams."""
+        return Ends(
+            self.gx0[chosen],
+            self.gy0[chosen],
+            self.gx1[chosen],
+            self.gy1[chosen],
+            self.hit[chosen],
+        )
+
+    def near(self, window: Window) -> Mask:
+        """Which beams can come into a window: the rectangle between their ends meets it."""
+        return (
+            (np.minimum(self.gx0, self.gx1) < window.right)
+            & (np.maximum(self.gx0, self.gx1) >= window.left)
+            & (np.minimum(self.gy0, self.gy1) < window.top)
+            & (np.maximum(self.gy0, self.gy1) >= window.bottom)
+        )
+
+    @property
+    def cells(self) -> int:
+        """How many cells their lines have, about."""
+        dx, dy = np.abs(self.gx1 - self.gx0), np.abs(self.gy1 - self.gy0)
+        return int(np.maximum(dx, dy).sum() + dx.size)
 
 
 @functools.lru_cache(2048)
@@ -82,6 +126,8 @@ class Mapper:
     title: ClassVar[str] = "no mistake"
     lesson: ClassVar[str] = ""
     where: ClassVar[str] = ""
+    strays: ClassVar[bool] = False
+    """Whether a line may leave the rectangle between its ends."""
 
     def __init__(
         self,
@@ -239,8 +285,8 @@ class Mapper:
         """Which beams are traced."""
         return np.ones(gx0.shape, dtype=bool)
 
-    def trace(self, number: int, scan: Scan) -> Traced:
-        """The updates of one scan."""
+    def ends(self, scan: Scan) -> Ends:
+        """Where the beams of one scan start and end, in cells; those that are not traced are left out."""
         z, hit, used = self.read(scan.ranges)
         pose = scan.pose
         ex, ey = self.endpoint(pose, self.beam(pose.theta, scan.angles), z)
@@ -248,30 +294,42 @@ class Mapper:
         gx0, gy0 = self.to_grid(
             np.full(gx1.shape, pose.x), np.full(gx1.shape, pose.y)
         )
-        hit = hit[used]
-        kept = self.kept(gx0, gy0, gx1, gy1)
-        gx0, gy0, gx1, gy1 = (a[kept] for a in (gx0, gy0, gx1, gy1))
-        hit = hit[kept]
-        lines, occupied = self.evidence(self.lines(gx0, gy0, gx1, gy1), hit)
-        scans = np.full(lines.gx.shape, number)
-        return self.within_scan(Traced(scans, lines.gx, lines.gy, occupied))
+        ends = Ends(gx0, gy0, gx1, gy1, hit[used])
+        return ends.where(self.kept(gx0, gy0, gx1, gy1))
 
     def within_scan(self, traced: Traced) -> Traced:
-        """The updates of one scan, before they are applied."""
+        """The updates of some whole scans, before they are applied."""
         return traced
 
-    def batches(self) -> Iterator[Traced]:
-        """The updates of several scans at a time, which is quicker than one by one."""
-        batch: list[Traced] = []
+    def batches(self, window: Window | None = None) -> Iterator[Traced]:
+        """The updates of several scans at a time, which is quicker than one by one.
+
+        With a ``window``, beams may be left out that cannot come into it.
+        """
+        numbers: list[Cells] = []
+        ends: list[Ends] = []
         cells = 0
         for number, scan in enumerate(self.scans()):
-            batch.append(self.trace(number, scan))
-            cells += batch[-1].gx.size
+            these = self.ends(scan)
+            if window is not None and not self.strays:
+                these = these.where(these.near(window))
+            numbers.append(np.full(these.gx0.shape, number))
+            ends.append(these)
+            cells += these.cells
             if cells > BATCH_CELLS:
-                yield Traced(*map(np.concatenate, zip(*batch, strict=True)))
-                batch, cells = [], 0
-        if batch:
-            yield Traced(*map(np.concatenate, zip(*batch, strict=True)))
+                yield self._trace(numbers, ends)
+                numbers, ends, cells = [], [], 0
+        if ends:
+            yield self._trace(numbers, ends)
+
+    def _trace(self, numbers: list[Cells], ends: list[Ends]) -> Traced:
+        scan = np.concatenate(numbers)
+        beams = Ends(*map(np.concatenate, zip(*ends, strict=True)))
+        lines = self.lines(beams.gx0, beams.gy0, beams.gx1, beams.gy1)
+        lines, occupied = self.evidence(lines, beams.hit)
+        return self.within_scan(
+            Traced(scan[lines.beam], lines.gx, lines.gy, occupied)
+        )
 
     def apply(
         self, log_odds: Array, traced: Traced, sample: Mask | None = None
@@ -300,6 +358,17 @@ class Mapper:
         for j, n in enumerate(reached.tolist()):
             values[:n] = self.clamp(values[:n] + steps[starts[:n] + j])
         log_odds[touched] = values
+
+    def values(self, window: Window, batches: Iterable[Traced]) -> Array:
+        """The log-odds of the cells of a window (n,), row by row, after these updates."""
+        s = self.settings
+        square = np.zeros((s.height, s.width), dtype=bool)
+        square[window.bottom : window.top, window.left : window.right] = True
+        sample = square.reshape(-1)
+        log_odds: Array = np.full(sample.shape, self.start())
+        for traced in batches:
+            self.apply(log_odds, traced, sample)
+        return self.finish(log_odds)[sample]
 
     # --- the files (2.6, 7) ---
 

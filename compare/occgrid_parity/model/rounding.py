@@ -40,6 +40,7 @@ from occgrid_parity.model.uncertain_ranges import (
 from occgrid_parity.model.worlds import World
 
 ANGLE_ULPS = 8.0
+KEPT = 8  # worlds
 
 
 @dataclass(frozen=True)
@@ -68,11 +69,33 @@ class Beams:
         return np.flatnonzero(count > 1)
 
 
+class _LastBeams:
+    """Keeps the beams of the worlds that were looked at last: a check asks for the same ones several times."""
+
+    def __init__(self) -> None:
+        self.known: list[tuple[World, int | None, bool, Beams]] = []
+
+    def of(self, world: World, seed: int | None, own_poses: bool) -> Beams:
+        for entry in self.known:
+            if entry[0] is world and entry[1:3] == (seed, own_poses):
+                return entry[3]
+        beams = _all_beams(world, seed, own_poses)
+        self.known = [(world, seed, own_poses, beams), *self.known[: KEPT - 1]]
+        return beams
+
+
+_last = _LastBeams()
+
+
 def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
     """All beams, and their ways.
 
     ``own_poses``: the program computes the poses itself, so they have errors, too.
     """
+    return _last.of(world, seed, own_poses)
+
+
+def _all_beams(world: World, seed: int | None, own_poses: bool) -> Beams:
     known = seed is None and world.settings.beams == 1
     walls = tuple(world.walls)
     parts = [

@@ -39,6 +39,7 @@ function deviateOf(
   /** @type {number} */ first,
   /** @type {number} */ second,
   angle = cos,
+  part = 0.5,
 ) {
   return (
     /** @type {number} */ seed,
@@ -46,8 +47,8 @@ function deviateOf(
     /** @type {number} */ beam,
   ) => {
     const words = philox4x32([scan, beam, 0, 0], [seed, 0]);
-    const u1 = (words[first] + 0.5) / 4294967296;
-    const u2 = (words[second] + 0.5) / 4294967296;
+    const u1 = (words[first] + part) / 4294967296;
+    const u2 = (words[second] + part) / 4294967296;
     return Math.sqrt(-2 * log(u1)) * angle(2 * PI * u2);
   };
 }
@@ -415,6 +416,9 @@ const PLANTED = {
   },
   "noise-words-swapped": (m) => {
     m.deviate = deviateOf(1, 0);
+  },
+  "noise-of-whole-words": (m) => {
+    m.deviate = deviateOf(0, 1, cos, 1);
   },
   "noise-on-hits-only": (m) => {
     const { noisy } = m;
