@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-import os
 import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from playwright.sync_api import (
@@ -23,9 +23,10 @@ from occgrid_parity.formats.map_files import read_map
 from occgrid_parity.model.map_history import maps_after_scans
 from occgrid_parity.report.run_page import write_page
 
-from .conftest import ROOT
+from .conftest import ROOT, unavailable
 from .reported import Ran
 
+AXE = ROOT / "web" / "node_modules" / "axe-core" / "axe.min.js"
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 # as root, and without a look at the network
 ARGUMENTS = [
@@ -42,10 +43,7 @@ ARGUMENTS = [
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     if CHROMIUM is None:
-        reason = "chromium is missing: apt-get install chromium"
-        if os.environ.get("PARITY_REQUIRE_ALL", "") not in ("", "0"):
-            pytest.fail(reason, pytrace=False)
-        pytest.skip(reason)
+        unavailable("chromium is missing: apt-get install chromium")
     with sync_playwright() as playwright:
         launched = playwright.chromium.launch(
             executable_path=CHROMIUM, args=ARGUMENTS
@@ -81,8 +79,13 @@ def complain(complaints: list[str], message: ConsoleMessage) -> None:
         complaints.append(message.text)
 
 
+def open_table(page: Page) -> None:
+    page.locator("#table").evaluate("table => { table.open = true; }")
+
+
 def choose(page: Page, scenario: str, mode: str, port: str) -> None:
     """Click the cell of the table."""
+    open_table(page)
     names = page.locator("#matrix thead th").all_inner_texts()
     column = (
         next(i for i, name in enumerate(names) if name.startswith(port)) - 2
@@ -103,15 +106,17 @@ def readout(page: Page) -> dict[str, list[str]]:
 
 
 def hover(page: Page, gx: int, gy: int, width: int, height: int) -> None:
-    """Put the mouse over the middle of a cell of the whole map."""
+    """Put the mouse over the middle of a cell of the whole map, which has axes on the left and below."""
+    axis_left, axis_below = 44, 22
     page.locator("#zoom-all").click()
     canvas = page.locator("#compare")
     canvas.scroll_into_view_if_needed()
     box = canvas.bounding_box()
     assert box is not None
-    scale = min(box["width"] / width, box["height"] / height)
-    left = (box["width"] - scale * width) / 2
-    top = (box["height"] - scale * height) / 2
+    across, up = box["width"] - axis_left, box["height"] - axis_below
+    scale = min(across / width, up / height)
+    left = axis_left + (across - scale * width) / 2
+    top = (up - scale * height) / 2
     page.mouse.move(
         box["x"] + left + (gx + 0.5) * scale,
         box["y"] + top + (height - 1 - gy + 0.5) * scale,
@@ -122,8 +127,9 @@ def test_failures_come_first_and_every_status_is_a_word(page: Page) -> None:
     rows = page.locator("#matrix tbody tr").all()
     kinds = [row.get_attribute("class") for row in rows]
     assert kinds == sorted(kinds, key=lambda kind: kind != "failed")
-    words = set(page.locator("#matrix .status").all_inner_texts())
+    words = set(page.locator("#matrix .status").all_text_contents())
     assert words == {"identical", "differs", "error", "skipped"}
+    assert not page.locator("#matrix").is_visible(), "maps come first"
     # the case that is open is a failure
     assert not page.locator(".status.chosen").get_by_text("identical").count()
 
@@ -238,7 +244,74 @@ def test_zoom_goes_down_to_the_cell_and_keys_move(page: Page) -> None:
     assert moved.startswith("cell gx=32 gy=21,")
 
 
+def test_a_thumbnail_for_each_scenario_and_mode(page: Page) -> None:
+    shown = page.locator("#thumbs .thumb:visible")
+    assert shown.count() == 3
+    assert "3 with a difference" in page.locator("#modes").inner_text()
+    names = {text.split()[0] for text in shown.all_inner_texts()}
+    assert names == {"one-beam", "asymmetric", "saturate"}
+    page.locator("#modes input[value=seed-0]").check()
+    assert page.locator("#thumbs .thumb:visible").count() == 3
+    page.locator("#thumbs .thumb:visible", has_text="saturate").click()
+    title = page.locator("#case-title")
+    title.get_by_text("saturate, seed-0: ").wait_for()
+    thumb = "#thumbs li:not([hidden]) .thumb.chosen canvas"
+    assert len(colours(page, thumb)) > 2, "the map, small"
+
+
+def test_the_maps_of_all_ports_stand_side_by_side(page: Page) -> None:
+    choose(page, "asymmetric", "noise-free", "python")
+    ports = page.locator("#ports .thumb")
+    said = [" ".join(text.split()) for text in ports.all_inner_texts()]
+    assert said == [
+        "python identical",
+        "nearly differs",
+        "crashes error",
+        "absent skipped",
+    ]
+    assert page.locator("#ports canvas").count() == 2
+    ports.nth(1).focus()
+    page.keyboard.press("Enter")
+    page.locator("#case-title").get_by_text(": nearly").wait_for()
+    pressed = ports.nth(1).get_attribute("aria-pressed")
+    assert pressed == "true"
+
+
+def violations(page: Page) -> list[str]:
+    """What axe-core finds, with everything opened that can be."""
+    if not AXE.is_file():
+        unavailable("web/node_modules is missing: npm ci in web/")
+    open_table(page)
+    page.evaluate(AXE.read_text(encoding="utf-8"))
+    results = page.evaluate("axe.run({ resultTypes: ['violations'] })")
+    return [
+        f"{one['id']}: {node['html'][:200]} {node['failureSummary']}"
+        for one in results["violations"]
+        for node in one["nodes"]
+    ]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_axe_finds_nothing_and_nothing_is_wider_than_the_page(
+    browser: Browser, file: Path, width: int, scheme: Literal["light", "dark"]
+) -> None:
+    page = browser.new_page(
+        viewport={"width": width, "height": 800}, color_scheme=scheme
+    )
+    page.goto(file.as_uri())
+    page.locator("#case-title").get_by_text(",").wait_for()
+    assert violations(page) == []
+    assert page.evaluate("document.documentElement.scrollWidth") == width
+    page.evaluate(
+        "document.querySelector('h1').innerHTML = '<img src=\"data:,\">'"
+    )
+    assert any("image-alt" in one for one in violations(page)), "axe works"
+    page.close()
+
+
 def test_only_what_failed(page: Page) -> None:
+    open_table(page)
     page.locator("#only-failed").check()
     visible = [
         r for r in page.locator("#matrix tbody tr").all() if r.is_visible()
@@ -247,16 +320,6 @@ def test_only_what_failed(page: Page) -> None:
     assert all(row.get_attribute("class") == "failed" for row in visible)
     page.locator("#only-failed").uncheck()
     assert len(page.locator("#matrix tbody tr").all()) == 6
-
-
-def test_no_sideways_scrolling_on_a_phone(
-    browser: Browser, file: Path
-) -> None:
-    page = browser.new_page(viewport={"width": 390, "height": 800})
-    page.goto(file.as_uri())
-    page.locator("#case-title").get_by_text(",").wait_for()
-    assert page.evaluate("document.documentElement.scrollWidth") == 390
-    page.close()
 
 
 def test_the_page_is_one_file(file: Path) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from occgrid.grid import GridSpec
-from occgrid.scenario import ScenarioError, read_scenario
+from occgrid.scenario import ScenarioError
 from occgrid_parity.compare.run_record import (
     Result,
     RunRecord,
@@ -37,7 +37,8 @@ class DrawnMap:
     log_odds: NDArray[np.float64] | None
 
 
-Tone = Literal["good", "near", "bad", "off"]
+Tone = Literal["good", "near", "bad", "off", "grey"]
+ORDER: tuple[Tone, ...] = ("bad", "near", "good", "grey", "off")
 TONES: dict[Status, Tone] = {
     "identical": "good",
     "skipped": "off",
@@ -64,8 +65,9 @@ class PortMap:
 class CaseView:
     """One scenario in one mode. ``maps`` has each different map once, the reference's first.
 
-    ``about`` is the scenario's own first comment. ``frames`` are the reference's
-    pictures as the scans come in, None where there is nothing to show.
+    ``about`` is the scenario's own first comment, ``walls`` x0, y0, x1, y1 each. ``frames`` are the reference's
+    pictures as the scans come in, None where there is nothing to show. ``partial`` are maps that were drawn of the
+    first scans only: how many, and the index of the map.
     """
 
     scenario: str
@@ -75,6 +77,13 @@ class CaseView:
     ports: list[PortMap]
     maps: list[DrawnMap] = field(default_factory=list)
     frames: Frames | None = None
+    walls: list[tuple[float, ...]] = field(default_factory=list)
+    partial: dict[int, int] = field(default_factory=dict)
+
+    @property
+    def worst(self) -> PortMap:
+        """What the case is known by: its worst map, of equals the last."""
+        return min(reversed(self.ports), key=lambda one: ORDER.index(one.tone))
 
     @property
     def failed(self) -> bool:
@@ -112,7 +121,7 @@ def _case(
             shown_status(result),
             TONES.get(result.status, "bad"),
         )
-    about, spec, frames = _scenario(scenario, mode)
+    about, spec, walls, frames = _scenario(scenario, mode)
     return CaseView(
         scenario=scenario.name,
         mode=mode,
@@ -121,6 +130,7 @@ def _case(
         ports=[ports[result.port] for result in results],
         maps=maps,
         frames=frames if maps else None,
+        walls=walls,
     )
 
 
@@ -155,23 +165,23 @@ def _same(
 
 def _scenario(
     scenario: ScenarioRecord, mode: Mode
-) -> tuple[str, GridSpec | None, Frames | None]:
-    """What a scenario says of itself, its grid, and its frames, where it can be read."""
+) -> tuple[str, GridSpec | None, list[tuple[float, ...]], Frames | None]:
+    """What a scenario says of itself, its grid, its walls and its frames, where it can be read."""
     path = None if scenario.file is None else Path(scenario.file)
-    about = "The lesson, as every port has it built in."
-    if path is not None:
-        about = _first_comment(path)
-        try:
-            with read_scenario(path) as readable:
-                spec = readable.settings.new_grid().spec
-        except ScenarioError:
-            return about, None, None
+    about = (
+        "The lesson, as every port has it built in."
+        if path is None
+        else _first_comment(path)
+    )
+    spec: GridSpec | None = None
+    walls: list[tuple[float, ...]] = []
     try:
         with lesson_or_file(path) as readable:
             spec = readable.settings.new_grid().spec
-            return about, spec, record_frames(readable, mode.seed)
+            walls = [tuple(wall) for wall in readable.walls]
+            return about, spec, walls, record_frames(readable, mode.seed)
     except ScenarioError:
-        return about, spec, None
+        return about, spec, walls, None
 
 
 def _first_comment(path: Path) -> str:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import platform
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
 
 from occgrid.scenario import Scenario
-from occgrid_parity.check.program_maps import ComparedMap
+from occgrid.sensor import Scan
+from occgrid_parity.check.program_maps import ComparedMap, PartialMap
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.check.verdict_text import (
     HALVES,
@@ -30,6 +32,7 @@ from occgrid_parity.compare.run_record import (
     ScenarioRecord,
     Status,
 )
+from occgrid_parity.explain.findings import FirstDifference
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.worlds import world_of
@@ -51,27 +54,34 @@ TONES: dict[str, Tone] = {
     "edges": "near",
     "differs": "bad",
     "failed": "bad",
+    "not checked": "off",
+    "grey": "grey",
 }
 
 
 def write_check_page(
-    verdict: Verdict, maps: list[ComparedMap], target: Path
+    verdict: Verdict,
+    maps: Sequence[ComparedMap],
+    target: Path,
+    partial: Sequence[PartialMap] = (),
 ) -> Path:
     """Write the page of a check into a folder, made where it is missing; returns its file.
 
-    ``maps`` are the maps that the check has compared.
+    ``maps`` are the maps that the check has compared, ``partial`` those of the first scans only.
     """
     difference = verdict.first_difference
     remarks = [f"not checked: {said}" for said in verdict.not_checked]
     remarks += [f"note: {said}" for said in verdict.notes]
     if any(level.status == "halves" for level in verdict.levels):
         remarks.insert(0, f"* {HALVES}")
+    start = _start(verdict, maps)
     text = render(
         "check.html",
         _record(verdict, maps),
-        [_case(verdict, one) for one in maps],
+        [_case(verdict, one, partial) for one in maps],
         ["reference: what the contract says, drawn by the Python port"],
-        _start(verdict, maps),
+        start,
+        difference_shown="gx" in start,
         verdict=verdict,
         word=verdict_word(verdict),
         tone=TONES[verdict_status(verdict)],
@@ -80,7 +90,7 @@ def write_check_page(
         how=how_text(difference) if difference else "",
         beam="\n".join(beam_lines(difference)) if difference else "",
         levels=[
-            (level, MARKS[level.status], TONES.get(level.status, "off"))
+            (level, MARKS[level.status], TONES[level.status])
             for level in verdict.levels
         ],
         remarks=remarks,
@@ -91,20 +101,41 @@ def write_check_page(
     return page
 
 
-def _start(verdict: Verdict, maps: list[ComparedMap]) -> str:
-    """What the page shows first: the cell of the first difference, if its map is here."""
+def _start(verdict: Verdict, maps: Sequence[ComparedMap]) -> str:
+    """What the page shows first: the map of the first difference, else the first that differs, else the first."""
     difference = verdict.first_difference
-    if difference is None:
+    if difference is not None:
+        for number, one in enumerate(maps):
+            names = (one.case.name, one.mode.name)
+            if names == (difference.scenario, difference.mode):
+                return json.dumps(
+                    {"number": number, "port": 1, **_beam(difference, one)}
+                )
+    wrong = [
+        number
+        for number, one in enumerate(maps)
+        if one.compared.status == "differs"
+    ]
+    if not maps:
         return ""
-    for number, one in enumerate(maps):
-        names = (one.case.name, one.mode.name)
-        if names == (difference.scenario, difference.mode):
-            cell = {"gx": difference.gx, "gy": difference.gy}
-            return json.dumps({"number": number, "port": 1, **cell})
-    return ""
+    return json.dumps({"number": (wrong or [0])[0], "port": 1})
 
 
-def _record(verdict: Verdict, maps: list[ComparedMap]) -> RunRecord:
+def _beam(difference: FirstDifference, one: ComparedMap) -> dict[str, object]:
+    """The cell of the first difference, and the beam with the robot that it starts from, where they are known."""
+    found: dict[str, object] = {"gx": difference.gx, "gy": difference.gy}
+    if difference.scan is None:
+        return found
+    scan = world_of(one.case).scans[difference.scan]
+    found["scan"] = difference.scan
+    found["robot"] = scan.pose if isinstance(scan, Scan) else scan
+    end = difference.endpoint
+    if end is not None:
+        found["end"] = [float(end.x), float(end.y)]
+    return found
+
+
+def _record(verdict: Verdict, maps: Sequence[ComparedMap]) -> RunRecord:
     """The check in the form of a run of two: the reference and the program."""
     names = list(dict.fromkeys(one.case.name for one in maps))
     modes = list(dict.fromkeys(one.mode.name for one in maps))
@@ -145,7 +176,9 @@ def _results(verdict: Verdict, one: ComparedMap) -> tuple[Result, Result]:
     )
 
 
-def _case(verdict: Verdict, one: ComparedMap) -> CaseView:
+def _case(
+    verdict: Verdict, one: ComparedMap, partial: Sequence[PartialMap]
+) -> CaseView:
     world = world_of(one.case)
     drawn = reference_map(one.case, one.mode)
     maps: list[DrawnMap] = []
@@ -171,6 +204,16 @@ def _case(verdict: Verdict, one: ComparedMap) -> CaseView:
             TONES[one.compared.status],
         ),
     ]
+    first = {
+        some.scans: place(
+            maps,
+            DrawnMap(
+                some.observed.pixels.astype(np.uint16), some.observed.log_odds
+            ),
+        )
+        for some in partial
+        if (some.case.digest, some.mode) == (one.case.digest, one.mode)
+    }
     scenario = Scenario(
         one.case.name, world.settings, list(world.walls), iter(world.scans)
     )
@@ -181,5 +224,7 @@ def _case(verdict: Verdict, one: ComparedMap) -> CaseView:
         spec=world.settings.new_grid().spec,
         ports=ports,
         maps=maps,
-        frames=record_frames(scenario, one.mode.seed),
+        frames=record_frames(scenario, one.mode.seed, first),
+        walls=[tuple(wall) for wall in world.walls],
+        partial=first,
     )

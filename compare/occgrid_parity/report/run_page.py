@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from importlib import resources
 from pathlib import Path
@@ -65,6 +66,7 @@ def render(
     is what the template wants beside the maps.
     """
     shown = sorted(enumerate(cases), key=lambda item: not item[1].failed)
+    failed = Counter(case.mode.name for _, case in shown if case.failed)
     return (
         environment()
         .get_template(template)
@@ -74,6 +76,7 @@ def render(
             data={
                 number: _json(_case(record, case)) for number, case in shown
             },
+            failed=failed,
             footnotes=footnotes,
             start=start,
             style=Markup(asset("page.css")),
@@ -106,11 +109,15 @@ def _case(record: RunRecord, case: CaseView) -> dict[str, Any]:
         "reference": record.reference,
         "resolution": None if spec is None else spec.resolution,
         "origin": None if spec is None else [spec.origin_x, spec.origin_y],
+        "walls": case.walls,
+        "partial": case.partial,
         "ports": [
             {
                 "name": port.result.port,
                 "words": port.words,
                 "map": port.map,
+                "shown": port.shown,
+                "tone": port.tone,
             }
             for port in case.ports
         ],
@@ -130,6 +137,7 @@ def _case(record: RunRecord, case: CaseView) -> dict[str, Any]:
         else {
             "scans": case.frames.scans,
             "total": case.frames.total,
+            "poses": case.frames.poses,
             "pixels": pack_frames(case.frames.pixels),
         },
     }
