@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import EVIDENCE, case_for
-from occgrid_parity.check.program_maps import ComparedMap, ProgramMaps
+from occgrid_parity.check.program_maps import (
+    ComparedMap,
+    PartialMap,
+    ProgramMaps,
+)
 from occgrid_parity.explain.cause import find_cause
 from occgrid_parity.explain.findings import Cause, FirstDifference
 from occgrid_parity.explain.first_difference import find_first_difference
@@ -37,8 +41,17 @@ class Explanation:
             differing.drawn,
             strict,
             self.options.save,
+            # a map that is turned back compares otherwise as it was drawn
+            differing.compared
+            if differing.observed is differing.drawn
+            else None,
         )
         self.maps.runs += explained.runs
+        if self.options.on_partial is not None:
+            for scans, drawn in explained.partial.items():
+                self.options.on_partial(
+                    PartialMap(differing.case, differing.mode, scans, drawn)
+                )
         if explained.short is not None:
             case, observed, compared, _ = explained.short
             self.short = Evidence(

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-from occgrid_parity.check.levels import RUNS, YAML, is_asked, titles
+from occgrid_parity.check.levels import (
+    LOG_ODDS,
+    RUNS,
+    YAML,
+    is_asked,
+    titles,
+)
 from occgrid_parity.check.verdict import Level
 from occgrid_parity.programs.runner import Runner
 
@@ -18,7 +24,7 @@ def levels_of_broken(runner: Runner, word: str, message: str) -> list[Level]:
     """The levels of a program that could not even be run."""
     levels = [Level(*RUNS, "failed", word, message)]
     for name, title in titles(runner).items():
-        if name == YAML[0]:
+        if name in (LOG_ODDS[0], YAML[0]):
             levels.append(Level(name, title, "not checked"))
         elif name != RUNS[0]:
             levels.append(

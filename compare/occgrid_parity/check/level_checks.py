@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Sequence
 
 from occgrid_parity.check.bad_input import check_bad_input
@@ -11,14 +12,15 @@ from occgrid_parity.check.grey import grey_or_unasked
 from occgrid_parity.check.levels import (
     BAD_INPUT,
     FILE,
+    FIRST_LOOK,
     ORIENTATION,
-    ORIENTED,
     RUNS,
     LevelRuns,
     case_for,
     chosen_runs,
     level_runs,
 )
+from occgrid_parity.check.own_numbers import check_added, check_log_odds
 from occgrid_parity.check.program_maps import ComparedMap, NoMap, ProgramMaps
 from occgrid_parity.check.verdict import CaseResult, Level, LevelStatus
 from occgrid_parity.check.yaml_level import check_yaml
@@ -64,7 +66,11 @@ class LevelChecks:
         """Every level that the program can be asked."""
         case, mode = next(plan.runs[0] for plan in self.plans if plan.runs)
         self._check_first(case, mode)
-        self._check_orientation(case, mode)
+        first = [case]
+        if self.runner.reads_scenarios and not self.only_chosen:
+            first = [case_for(self.runner, name) for name in FIRST_LOOK]
+        self._check_orientation(first, mode)
+        self._check_own_numbers(first, mode)
         for plan in self.plans:
             self._add_level(plan)
         if self.only_chosen:
@@ -115,14 +121,11 @@ class LevelChecks:
         observed = self.maps.run(case, mode).observed
         return observed is not None and bool(orientation(observed, case, mode))
 
-    def _check_orientation(self, first: Case, mode: Mode) -> None:
+    def _check_orientation(self, cases: Sequence[Case], mode: Mode) -> None:
         """The map is not the reference's turned, flipped or transposed.
 
         Where it is, the other levels look at the map turned back, so that this costs one level only.
         """
-        cases = [first]
-        if self.runner.reads_scenarios and not self.only_chosen:
-            cases = [case_for(self.runner, name) for name in ORIENTED]
         upright: bool | None = None  # as the last of the cases tells
         for case in cases:
             try:
@@ -158,6 +161,19 @@ class LevelChecks:
             self.maps.turn_back(SYMMETRIES[names[0]])
             message += "; the other levels look at your maps turned back"
         self._add(ORIENTATION, "failed", "orientation", message)
+
+    def _check_own_numbers(self, cases: Sequence[Case], mode: Mode) -> None:
+        """The program's probabilities, and how it writes its log-odds."""
+        for check in (check_added, check_log_odds):
+            first: list[ComparedMap] = []
+            for case in cases:
+                with contextlib.suppress(NoMap):
+                    first.append(self._compare(case, mode))
+            level = check(self.maps, first)
+            self.levels.append(level)
+            differing = [x for x in first if x.compared.status == "differs"]
+            if level.status == "failed" and differing:
+                self.differing = self.differing or differing[0]
 
     def _add_level(self, plan: LevelRuns) -> None:
         """One level: every map must be the reference's, or differ only by rounding."""

@@ -35,7 +35,10 @@ FILE = ("file", "its file is a picture of the right size")
 YAML = ("yaml", "the YAML beside the map")
 BAD_INPUT = ("bad-input", "scenarios that break a rule")
 ORIENTATION = ("orientation", "orientation (the eight symmetries)")
-ORIENTED = ("one-beam", "asymmetric")
+ADDED = ("added", "how much a hit and a crossing add (p_occ, p_free)")
+LOG_ODDS = ("log-odds", "how the log-odds file writes its numbers")
+FIRST_LOOK = ("one-beam", "asymmetric")
+"""What tells the orientation, the probabilities and the form of the log-odds, before any other level."""
 
 LEVELS = (
     LevelPlan("one-beam", "one beam", ("one-beam",)),
@@ -61,7 +64,10 @@ LEVELS = (
     LevelPlan("twin", "the well-conditioned lesson", (TWIN,), explains=False),
     LevelPlan("lesson", "the lesson", (LESSON,), explains=False),
     LevelPlan(
-        "noise", "seeded noise", ("asymmetric", TWIN, LESSON), noisy=True
+        "noise",
+        "seeded noise",
+        ("asymmetric", "noise-half", TWIN, LESSON),
+        noisy=True,
     ),
     LevelPlan(
         "mixed-noise", "noise on simulated scans only", ("mixed",), noisy=True
@@ -111,7 +117,7 @@ def level_runs(runner: Runner) -> list[LevelRuns]:
 
 def titles(runner: Runner) -> dict[str, str]:
     """Every level of a program and its title, in order."""
-    known = dict([RUNS, FILE, ORIENTATION])
+    known = dict([RUNS, FILE, ORIENTATION, ADDED, LOG_ODDS])
     known |= {plan.name: plan.title for plan in LEVELS}
     known |= dict([YAML, BAD_INPUT])
     return known | {

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from occgrid_parity.check import wording
 from occgrid_parity.check.verdict import CaseResult
 from occgrid_parity.explain.closeness import Compared, compare_with_reference
+from occgrid_parity.explain.single_updates import with_parameters
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.programs.runner import Outcome, Runner
@@ -26,7 +27,7 @@ class ComparedMap:
     """A map and how it compares.
 
     ``observed`` is the map that was compared, turned back where the program's maps are turned; ``drawn`` is the map as
-    the program drew it.
+    the program drew it. ``own`` are the program's own parameters, with which it is the reference's map.
     """
 
     case: Case
@@ -35,13 +36,27 @@ class ComparedMap:
     compared: Compared
     seconds: float
     drawn: Observed
+    own: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def result(self) -> CaseResult:
         """The record of the comparison."""
-        return wording.case_result(
+        result = wording.case_result(
             self.case.name, self.mode.name, self.compared, self.seconds
         )
+        if not self.own:
+            return result
+        own = wording.parameters(self.own)
+        return replace(result, message=f"{result.message}, with {own}")
+
+
+class PartialMap(NamedTuple):
+    """A map that the program drew of the first scans of a scenario, on the way to the first difference."""
+
+    case: Case
+    mode: Mode
+    scans: int
+    observed: Observed
 
 
 class NoMap(Exception):
@@ -68,21 +83,18 @@ class ProgramMaps:
     """Draws maps with a program and keeps them, so that no scenario is run twice.
 
     ``outcomes`` are all runs, ``compared`` the maps that could be compared, ``notes`` what the runs had to say
-    beside, and ``runs`` how many there were. ``on_map`` is told of every map that is compared.
+    beside, and ``runs`` how many there were.
     """
 
-    def __init__(
-        self,
-        runner: Runner,
-        on_map: Callable[[ComparedMap], None] | None = None,
-    ) -> None:
+    def __init__(self, runner: Runner) -> None:
         self.runner = runner
-        self.on_map = on_map
         self.outcomes: dict[tuple[str, Mode], Outcome] = {}
         self.compared: dict[tuple[str, Mode], ComparedMap] = {}
         self.notes: list[str] = []
         self.runs = 0
         self.back: Turn | None = None
+        self.own: dict[str, float] = {}
+        self.only_pixels = False
 
     def run(self, case: Case, mode: Mode) -> Outcome:
         """The program's map of a scenario, or what went wrong."""
@@ -104,13 +116,21 @@ class ProgramMaps:
         key = (case.digest, mode)
         if key not in self.compared:
             self.compared[key] = self._compare(case, mode)
-            if self.on_map is not None:
-                self.on_map(self.compared[key])
         return self.compared[key]
 
     def turn_back(self, back: Turn) -> None:
         """From now on, maps are turned with ``back`` before they are compared."""
         self.back = back
+        self.compared.clear()
+
+    def take_own_parameters(self, values: dict[str, float]) -> None:
+        """From now on, a map may also be that of the scenario with these values of its parameters."""
+        self.own = values
+        self.compared.clear()
+
+    def leave_log_odds_out(self) -> None:
+        """From now on, only pictures are compared."""
+        self.only_pixels = True
         self.compared.clear()
 
     def _compare(self, case: Case, mode: Mode) -> ComparedMap:
@@ -126,19 +146,27 @@ class ProgramMaps:
                 f"{case.name}: {observed.source} is {wording.size(observed.pixels.shape)} pixels, expected "
                 f"{wording.size(expected)}",
             )
+        if self.only_pixels:
+            observed = replace(observed, log_odds=None)
         compared = self._closeness(observed, case, mode)
+        own: dict[str, float] = {}
+        if self.own and compared.status == "differs":
+            other = with_parameters(case, self.own)
+            again = self._closeness(observed, other, mode)
+            if again.status != "differs":
+                compared, own = again, self.own
         if self.back is not None and observed.log_odds is not None:
             # the picture is turned, and the log-odds may be upright
-            other = replace(observed, log_odds=drawn.log_odds)
+            upright = replace(observed, log_odds=drawn.log_odds)
             fits = drawn.log_odds is not None and (
                 drawn.log_odds.shape == observed.pixels.shape
             )
             if compared.status == "differs" and fits:
-                again = self._closeness(other, case, mode)
+                again = self._closeness(upright, case, mode)
                 if again.status != "differs":
-                    observed, compared = other, again
+                    observed, compared = upright, again
         return ComparedMap(
-            case, mode, observed, compared, outcome.seconds, drawn
+            case, mode, observed, compared, outcome.seconds, drawn, own
         )
 
     def _closeness(
@@ -150,6 +178,10 @@ class ProgramMaps:
 
     def what_was_compared(self) -> str:
         """Pixels or log-odds, in words."""
+        if self.only_pixels:
+            return (
+                "pixels; how the log-odds are written has a level of its own"
+            )
         observed = [o.observed for o in self.outcomes.values() if o.observed]
         if not observed:
             return "nothing"

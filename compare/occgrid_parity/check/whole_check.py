@@ -10,6 +10,7 @@ from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.explanation import Explanation
 from occgrid_parity.check.failed_run import keep_failed_run
 from occgrid_parity.check.level_checks import LevelChecks
+from occgrid_parity.check.levels import ADDED, LOG_ODDS
 from occgrid_parity.check.program_maps import ComparedMap, ProgramMaps
 from occgrid_parity.check.summary import failure, not_checked, success
 from occgrid_parity.check.two_runs import unsteady
@@ -41,9 +42,12 @@ def check(runner: Runner, options: Options | None = None) -> Verdict:
     """
     options = options or Options()
     started = time.monotonic()
-    maps = ProgramMaps(runner, options.on_map)
+    maps = ProgramMaps(runner)
     checks = LevelChecks(maps, options)
     checks.check_all()
+    if options.on_map is not None:
+        for one in maps.compared.values():
+            options.on_map(one)
     wrong = any(level.counts and not level.good for level in checks.levels)
     if wrong:
         conclusion = _after_failure(checks, options)
@@ -97,9 +101,13 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
     difference = None
     if differing is not None:
         difference = explanation.first_difference(differing, strict=False)
-    cause = explanation.cause()
+    cause: Cause | None = explanation.cause()
+    assert cause is not None
     if not cause.candidates and not seen:
         _think_of_own_noise(maps)
+    lost = {x.name for x in checks.levels if x.counts and not x.good}
+    if not cause.candidates and lost <= {ADDED[0], LOG_ODDS[0]}:
+        cause = None  # these levels say all that there is to say
     return Conclusion("differs", summary, difference, cause, seen)
 
 
@@ -117,12 +125,13 @@ def _scans_seen(maps: ProgramMaps) -> list[str]:
         if one.compared.status == "differs"
     ]
     looked = [one for one in wrong if len(world_of(one.case).scans) > 2]
-    said = [
-        chosen_scans(one.observed, one.case, one.mode)
-        for one in looked[:3] + looked[-1:]
-    ]
+    said = []
     # one map alone can be that of fewer scans by chance
-    return said[:1] if all(said) else []
+    for one in [*looked[:3], *looked[3:][-1:]]:
+        said.append(chosen_scans(one.observed, one.case, one.mode))
+        if not said[-1]:
+            return []
+    return said[:1]
 
 
 def _after_success(checks: LevelChecks, options: Options) -> Conclusion:

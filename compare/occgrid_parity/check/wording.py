@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from occgrid_parity.check.verdict import CaseResult
 from occgrid_parity.explain.closeness import Compared
@@ -21,6 +21,11 @@ def listed(words: Sequence[str]) -> str:
     if len(words) < 2:
         return "".join(words)
     return ", ".join(words[:-1]) + " and " + words[-1]
+
+
+def parameters(values: Mapping[str, float]) -> str:
+    """``p_occ 0.70 and p_free 0.40``."""
+    return listed([f"{name} {value:.2f}" for name, value in values.items()])
 
 
 def size(shape: tuple[int, ...]) -> str:

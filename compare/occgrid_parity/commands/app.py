@@ -2,33 +2,51 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Annotated
 
 import typer
+from typer.core import TyperGroup
 
 from occgrid import __version__
-from occgrid_parity.commands.build_command import build_command
-from occgrid_parity.commands.campaign_command import campaign_command
-from occgrid_parity.commands.check_command import check_command
-from occgrid_parity.commands.golden_command import golden_command
-from occgrid_parity.commands.mistakes_command import mistakes_command
-from occgrid_parity.commands.run_command import run_command
-from occgrid_parity.commands.scenario_command import scenario_command
+
+COMMANDS = (
+    "check",
+    "mistakes",
+    "build",
+    "run",
+    "campaign",
+    "golden",
+    "scenario",
+)
+
+
+class Commands(TyperGroup):
+    """The commands. Each is in a module of its own, which is imported only when it is asked for."""
+
+    def list_commands(self, ctx: typer.Context) -> list[str]:  # type: ignore[override]
+        """Their names, as the help lists them."""
+        return list(COMMANDS)
+
+    def get_command(  # type: ignore[override]
+        self, ctx: typer.Context, cmd_name: str
+    ) -> object:
+        """One of them, None where there is no such command."""
+        if cmd_name not in COMMANDS:
+            return None
+        name = f"{cmd_name}_command"
+        module = import_module(f"occgrid_parity.commands.{name}")
+        one = typer.Typer(add_completion=False, pretty_exceptions_enable=False)
+        one.command(cmd_name)(getattr(module, name))
+        return typer.main.get_command(one)
+
 
 app = typer.Typer(
+    cls=Commands,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-
-
-app.command("check")(check_command)
-app.command("mistakes")(mistakes_command)
-app.command("build")(build_command)
-app.command("run")(run_command)
-app.command("campaign")(campaign_command)
-app.command("golden")(golden_command)
-app.command("scenario")(scenario_command)
 
 
 def main() -> None:

@@ -18,14 +18,18 @@ Run = Annotated[
     typer.Option(
         "--run",
         metavar="'CMD'",
-        help="The program's command, with {scenario}, {out} or {pgm}, {mode} or {seed}.",
+        help="The command that runs your program, with {scenario}, {out} or {pgm}, {mode} or {seed} where they belong.",
     ),
 ]
 
 
 PortFile = Annotated[
     Path | None,
-    typer.Option("--port", metavar="FILE", help="The program's port.toml."),
+    typer.Option(
+        "--port",
+        metavar="FILE",
+        help="The port.toml that says how to run your program.",
+    ),
 ]
 
 
@@ -34,7 +38,7 @@ ClassFolder = Annotated[
     typer.Option(
         "--class",
         metavar="DIR",
-        help="Many programs: a folder with port.toml each.",
+        help="Check a whole class: each folder in DIR is a submission.",
     ),
 ]
 
@@ -44,7 +48,7 @@ Scenarios = Annotated[
     typer.Option(
         "--scenario",
         metavar="NAME|FILE",
-        help="Check on this only; may be repeated.",
+        help="Check only this scenario of the suite, or this file. May be repeated.",
     ),
 ]
 
@@ -52,7 +56,9 @@ Scenarios = Annotated[
 Modes = Annotated[
     list[str] | None,
     typer.Option(
-        "--mode", metavar="MODE", help="noise-free or seed-N, with --scenario."
+        "--mode",
+        metavar="MODE",
+        help="With --scenario: noise-free or seed-N. May be repeated.",
     ),
 ]
 
@@ -60,14 +66,19 @@ Modes = Annotated[
 Out = Annotated[
     Path,
     typer.Option(
-        metavar="DIR", help="For the record and the minimal scenario."
+        metavar="DIR",
+        help="Folder for verdict.json and for the scenario that shows the first difference.",
     ),
 ]
 
 
 JsonFile = Annotated[
     Path | None,
-    typer.Option("--json", metavar="FILE", help="A copy of the record."),
+    typer.Option(
+        "--json",
+        metavar="FILE",
+        help="Write the verdict as JSON to this file, too.",
+    ),
 ]
 
 
@@ -75,7 +86,7 @@ Report = Annotated[
     Path | None,
     typer.Option(
         metavar="DIR",
-        help="Write a page that shows every map that was compared; with --class, one each and their table.",
+        help="Write a web page with the verdict and every map; with --class, one for each submission, and a table.",
     ),
 ]
 
@@ -84,7 +95,7 @@ JUnit = Annotated[
     Path | None,
     typer.Option(
         metavar="FILE",
-        help="Write the levels as JUnit XML; with --class, NAME for each submission.",
+        help="Write the levels as JUnit XML; with --class, a file of this name for each submission.",
     ),
 ]
 
@@ -93,7 +104,7 @@ Gradescope = Annotated[
     Path | None,
     typer.Option(
         metavar="FILE",
-        help="Write the levels as an autograder's results.json (Gradescope's form).",
+        help="Write the points as Gradescope's results.json; with --class, one for each submission.",
     ),
 ]
 
@@ -109,14 +120,16 @@ Timeout = Annotated[
 
 Output = Annotated[
     int,
-    typer.Option("--max-output", min=1, help="MiB that one run may write."),
+    typer.Option(
+        "--max-output", min=1, help="How many MiB one run may write and print."
+    ),
 ]
 
 
 Memory = Annotated[
     int,
     typer.Option(
-        "--max-memory", min=16, help="MiB of memory that one run may use."
+        "--max-memory", min=16, help="How many MiB of memory one run may use."
     ),
 ]
 
@@ -124,7 +137,9 @@ Memory = Annotated[
 Processes = Annotated[
     int,
     typer.Option(
-        "--max-processes", min=1, help="Processes at a time in one run."
+        "--max-processes",
+        min=1,
+        help="How many processes one run may have at a time.",
     ),
 ]
 
@@ -132,13 +147,17 @@ Processes = Annotated[
 Explain = Annotated[
     bool,
     typer.Option(
-        "--explain/--no-explain", help="Look for cause and first difference."
+        "--explain/--no-explain",
+        help="Find out where a wrong map first differs, and why.",
     ),
 ]
 
 
 Jobs = Annotated[
-    int, typer.Option(min=1, help="With --class: how many side by side.")
+    int,
+    typer.Option(
+        min=1, help="With --class: how many submissions side by side."
+    ),
 ]
 
 
@@ -154,7 +173,7 @@ SandboxChoice = Annotated[
     SandboxWord | None,
     typer.Option(
         "--sandbox",
-        help="With --class: a wall around each program where that works (auto, the default), always, or never.",
+        help="With --class: shut each program in if the system can (auto, the default), always, or never.",
     ),
 ]
 

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+from typing import Literal
+
 import typer
 from rich.console import Console
 
@@ -38,13 +42,10 @@ from occgrid_parity.commands.check_request import (
     chosen_cases,
     chosen_modes,
 )
-from occgrid_parity.commands.class_check_run import run_class_check
-from occgrid_parity.commands.class_request import class_request
 from occgrid_parity.commands.console import print_plain
 from occgrid_parity.commands.program_check_run import run_program_check
 from occgrid_parity.model.reference import golden_problem
 from occgrid_parity.ports.port_file import DEFAULT_TIMEOUT
-from occgrid_parity.processes.cluster import NoCluster
 from occgrid_parity.processes.limits import MEBI, Limits
 from occgrid_parity.processes.wall import NoWall
 from occgrid_parity.suite.cases import LESSON
@@ -74,12 +75,18 @@ def check_command(
     roster: RosterFile = None,
     scheduler: Scheduler = None,
 ) -> None:
-    """Check any program against the suite, and explain where it goes wrong.
+    """Check a program against the suite, and explain where its maps go wrong.
 
-    In the command, {scenario} becomes a scenario file, {out} an empty folder (the program's working folder, too), {pgm}
-    the picture to write, {mode} --noise-free or --seed N, {seed} the seed alone, {port} the folder that you are in. A
-    program without {scenario} is checked on the lesson that it has built in. Each level is worth a point. The exit
-    status is 0 if all that can be checked is right, 1 if something is wrong, 2 for wrong usage.
+    The command of --run may have these words in it:
+    {scenario}: the scenario file to map
+    {out}: an empty folder for the map, the working folder, too
+    {pgm}: the picture to write
+    {mode}: --noise-free or --seed N; {seed}: N alone
+    {port}: the folder that you are in
+
+    A program without {scenario} is checked on the lesson that it has built in.
+    Every level is worth one point.
+    Exit status: 0 if all is right, 1 if something is wrong, 2 for wrong usage.
     """
     console = Console()
     subject = Subject(run, port, class_folder)
@@ -101,10 +108,9 @@ def check_command(
         request = CheckRequest(
             outputs, limits, cases, modes, timeout, explain, jobs
         )
-        of_class = (
-            None
-            if class_folder is None
-            else class_request(
+        run_class = None
+        if class_folder is not None:
+            run_class = _prepared_class(
                 class_folder,
                 request,
                 rules,
@@ -113,8 +119,7 @@ def check_command(
                 roster,
                 scheduler,
             )
-        )
-    except (OSError, ValueError, ScenarioError, NoWall, NoCluster) as error:
+    except (OSError, ValueError, ScenarioError, NoWall) as error:
         print_plain(Console(stderr=True), str(error))
         raise typer.Exit(2) from error
     if problem is not None:
@@ -124,5 +129,27 @@ def check_command(
         print_plain(console, line)
     if program is not None:
         raise typer.Exit(run_program_check(console, program, request))
-    assert class_folder is not None and of_class is not None
-    raise typer.Exit(run_class_check(console, class_folder, of_class))
+    assert run_class is not None
+    raise typer.Exit(run_class(console))
+
+
+def _prepared_class(
+    folder: Path,
+    request: CheckRequest,
+    rules: Path | None,
+    sandbox: Literal["auto", "require", "none"] | None,
+    build_timeout: float | None,
+    roster: Path | None,
+    scheduler: str | None,
+) -> Callable[[Console], int]:
+    """Reads what a class needs; what is returned checks it.
+
+    Only here are the modules of a class imported, which one program need not wait for.
+    """
+    from occgrid_parity.commands.class_check_run import run_class_check
+    from occgrid_parity.commands.class_request import class_request
+
+    of_class = class_request(
+        folder, request, rules, sandbox, build_timeout, roster, scheduler
+    )
+    return lambda console: run_class_check(console, folder, of_class)

@@ -9,7 +9,13 @@ from pathlib import Path
 
 from occgrid import __file__ as port_file
 from occgrid_parity.check.check_options import Options
-from occgrid_parity.check.levels import FILE, LEVELS, ORIENTATION, RUNS
+from occgrid_parity.check.levels import (
+    ADDED,
+    FILE,
+    LEVELS,
+    ORIENTATION,
+    RUNS,
+)
 from occgrid_parity.check.program_check import broken
 from occgrid_parity.check.program_maps import ComparedMap
 from occgrid_parity.check.verdict import (
@@ -282,7 +288,7 @@ def handed_out(
 
 def with_every_level(verdict: Verdict, wanted: Wanted) -> Verdict:
     """The verdict with the levels that it has not reached, so that the maximum is the same for all."""
-    levels = [RUNS, FILE, ORIENTATION]
+    levels = [RUNS, FILE, ORIENTATION, ADDED]
     if wanted.cases:
         levels += [(case.name, case.name) for case in wanted.cases]
     else:

@@ -6,11 +6,15 @@ import os
 import threading
 from collections.abc import Sequence
 
+import numpy as np
+
 from occgrid_parity.explain.findings import Cause, Likely
 from occgrid_parity.explain.mistaken_maps import LARGE, Evidence, MistakenMaps
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
 from occgrid_parity.model.arithmetic import PLATFORM, PORTABLE, Arithmetic
 from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.worlds import world_of
 from occgrid_parity.processes.pool import side_by_side
 
 ARITHMETIC = {"portable": PORTABLE, "platform": PLATFORM}
@@ -66,7 +70,10 @@ def find_halves_cause(evidence: Sequence[Evidence]) -> Cause:
         mistake
         for mistake in MISTAKES.values()
         if mistake.pixel is not Mapper.pixel
+        and all(_is_nearer(mistake, one) for one in evidence)
     ]
+    if not mistakes:
+        return Cause([], [], 0)
     maps = MistakenMaps()
     small = [one for one in evidence if one.observed.pixels.size < LARGE]
     small = small or list(evidence)
@@ -78,6 +85,15 @@ def find_halves_cause(evidence: Sequence[Evidence]) -> Cause:
         if found:
             return _cause(found, evidence, name)
     return Cause([], [one.title for one in evidence], len(mistakes))
+
+
+def _is_nearer(mistake: type[Mapper], one: Evidence) -> bool:
+    """Whether the reference's log-odds, made to grey values with the mistake, come at least as near to a map."""
+    right = reference_map(one.case, one.mode)
+    mapper = mistake(world_of(one.case), one.mode.seed)
+    found = one.observed.pixels
+    with_it = np.count_nonzero(mapper.picture(right.log_odds) != found)
+    return bool(with_it <= np.count_nonzero(right.pixels != found))
 
 
 def _cause(

@@ -191,11 +191,16 @@ class _Search:
     def touched(self) -> Mask:
         """The cells that an undecided beam can touch, flat."""
         s = self.world.settings
-        ways = np.flatnonzero(
-            np.isin(self.beams.ways.beam, self.beams.undecided)
-        )
+        undecided = np.zeros(self.beams.scan.size, dtype=bool)
+        undecided[self.beams.undecided] = True
+        ways = undecided[self.beams.ways.beam]
+        if np.count_nonzero(ways) < ways.size // 2:
+            some = np.flatnonzero(ways)
+            cells = TracedWays(self.beams, s.width, s.height, some).cell
+        else:  # all are traced sooner or later
+            cells = self.traced.cell[ways[self.traced.way]]
         touched = np.zeros(s.width * s.height, dtype=bool)
-        touched[TracedWays(self.beams, s.width, s.height, ways).cell] = True
+        touched[cells] = True
         return touched
 
     def model(self) -> UpdateModel:

@@ -9,7 +9,7 @@ import numpy as np
 
 from occgrid_parity.compare.cell_values import CellValue, cell_value
 from occgrid_parity.explain.cell_drawing import Cell, draw_patch
-from occgrid_parity.explain.closeness import compare_with_reference
+from occgrid_parity.explain.closeness import Compared
 from occgrid_parity.explain.difference_search import Found, Trial
 from occgrid_parity.explain.findings import BeamCell, Endpoint, FirstDifference
 from occgrid_parity.model.array_types import Array, Mask
@@ -30,7 +30,9 @@ class BeamView:
 
     def __init__(self, case: Case, mode: Mode) -> None:
         self.world: World = world_of(case)
-        self.beams: Beams = beams_of(self.world, mode.seed)
+        self.beams: Beams = beams_of(
+            self.world, mode.seed, own_poses=not case.is_file
+        )
         self.ways = self.beams.ways
         self.contract = np.flatnonzero(self.ways.contract)  # one for each beam
         scans = np.arange(len(self.world.scans) + 1)
@@ -107,11 +109,28 @@ class BeamView:
         return found
 
 
+class TouchingBeams:
+    """Guesses the scan and the beam of a difference: the first that updates a wrong cell."""
+
+    def __init__(self, view: BeamView) -> None:
+        self.view = view
+
+    def scan(self, trial: Trial) -> int:
+        """The first scan with a beam that updates a wrong cell; 0 where there is none."""
+        wrong = _wrong(trial)
+        scans = range(len(self.view.world.scans))
+        touching = (s for s in scans if self.view.touches(s, wrong))
+        return next(touching, 0)
+
+    def beam(self, scan: int, trial: Trial) -> int:
+        """The first such beam of a scan; 0 where there is none."""
+        return next(iter(self.view.touching(scan, _wrong(trial))), 0)
+
+
 def report_found(
-    case: Case, mode: Mode, found: Found, runs: int
+    view: BeamView, case: Case, mode: Mode, found: Found, runs: int
 ) -> FirstDifference:
-    """The record of a difference that running has found."""
-    view = BeamView(case, mode)
+    """The record of a difference that running has found; ``view`` is of the whole scenario."""
     wrong = _wrong(found.trial)
     undetermined = [f"the beam: {found.why}"] if found.why else []
     if found.beam is None:
@@ -161,19 +180,10 @@ def report_found(
     )
 
 
-def first_touching_scan(case: Case, mode: Mode, trial: Trial) -> int:
-    """The earliest scan with a beam that updates a wrong cell; 0 where there is none."""
-    wrong = _wrong(trial)
-    view = BeamView(case, mode)
-    scans = range(len(view.world.scans))
-    return next((scan for scan in scans if view.touches(scan, wrong)), 0)
-
-
 def report_deduced(
-    case: Case, mode: Mode, observed: Observed, own_poses: bool
+    case: Case, mode: Mode, observed: Observed, compared: Compared
 ) -> FirstDifference | None:
     """What a finished map alone tells: the earliest beam that updates a wrong cell."""
-    compared = compare_with_reference(observed, case, mode, own_poses)
     wrong = (
         compared.unexplained if compared.unexplained.any() else compared.wrong
     )

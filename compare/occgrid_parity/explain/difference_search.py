@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple, Protocol
 
 from occgrid_parity.explain.closeness import Compared
 from occgrid_parity.explain.shorter_scenarios import Shortener
@@ -50,9 +50,10 @@ class SearchFailed(Exception):
 class Found:
     """What the search found.
 
-    ``trial`` shows the difference, and ``prefix`` does with whole scans, as they are in the file. ``before`` is the
-    trial just before, where there is one. ``beam`` is None where the beam cannot be told by running, and ``why`` says
-    why. ``single``: the trial is of that one beam alone.
+    ``trial`` shows the difference, and ``prefix`` does with whole scans, as they are in the file; ``prefixes`` are all
+    trials of the first scans, by their number. ``before`` is the trial just before, where there is one. ``beam`` is
+    None where the beam cannot be told by running, and ``why`` says why. ``single``: the trial is of that one beam
+    alone.
     """
 
     scan: int
@@ -62,21 +63,40 @@ class Found:
     single: bool = False
     why: str = ""
     prefix: Trial | None = None
+    prefixes: Mapping[int, Trial] = field(default_factory=dict)
+
+
+class Guess(Protocol):
+    """Which scan and beam may be the ones, as the wrong cells of a trial tell; they are tried first."""
+
+    def scan(self, trial: Trial) -> int:
+        """The first scan that updates a wrong cell."""
+
+    def beam(self, scan: int, trial: Trial) -> int:
+        """The first beam of a scan that does."""
 
 
 def search(
-    case: Case, mode: Mode, whole: Trial, attempt: Try, guess: int = 0
+    case: Case, mode: Mode, whole: Trial, attempt: Try, guess: Guess
 ) -> Found:
     """The first scan and beam of a difference that the ``whole`` scenario shows.
 
-    "First" is this: after the scan (beam) before it the maps are the same, after it they are not. A later beam can
-    make maps the same again, so the number of scans is doubled before it is halved. ``guess`` is a scan that may be the
-    one: it is tried first, which saves most runs where it is.
+    "First" is this: after the scan (beam) before it the maps are the same, after it they are not. A later scan can
+    make maps the same again, so the number of scans is doubled before it is halved.
     """
     shortener = Shortener(case)
-    first = _first_scan(shortener, whole, attempt, guess)
-    found = _in_scan(shortener, mode, *first, attempt)
-    return replace(found, prefix=first[1])
+    prefixes: dict[int, Trial] = {}
+
+    def prefix(scans: int) -> Trial:
+        prefixes[scans] = attempt(shortener.prefix(scans))
+        return prefixes[scans]
+
+    span = _Span(len(shortener.scan_lines), whole)
+    span.try_around(guess.scan(whole), prefix)
+    span.double(prefix)
+    first = span.halve(prefix)
+    found = _in_scan(shortener, mode, *first, attempt, guess)
+    return replace(found, prefix=first[1], prefixes=prefixes)
 
 
 def _in_scan(
@@ -86,6 +106,7 @@ def _in_scan(
     trial: Trial,
     before: Trial | None,
     attempt: Try,
+    guess: Guess,
 ) -> Found:
     """The first beam of the scan after which the maps differ; ``trial`` and ``before`` are those of whole scans."""
     if mode.seed is not None and shortener.is_simulated(scan):
@@ -111,7 +132,7 @@ def _in_scan(
             why = DIFFERS_WHOLE
             return Found(scan, None, trial, before, why=why)
         trial = cut_whole
-    beam, trial, before = cut.first(trial)
+    beam, trial, before = cut.first(trial, guess.beam(scan, trial))
     if trial.case.data == shortener.beam(scan, beam).data:
         return Found(scan, beam, trial, before, single=True)
     single = attempt(shortener.beam(scan, beam))
@@ -129,36 +150,43 @@ def _same(one: Trial, other: Trial) -> bool:
     return same and first.log_odds.tobytes() == second.log_odds.tobytes()
 
 
-def _first_scan(
-    shortener: Shortener, whole: Trial, attempt: Try, guess: int
-) -> tuple[int, Trial, Trial | None]:
-    """The first scan after which the maps differ; the trials after it and before it."""
-    count = len(shortener.scan_lines)
-    same, before = 0, None
-    differs, after = count, whole
-    rung = 1
-    if 0 < guess < count - 1:
-        trial = attempt(shortener.prefix(guess + 1))
+class _Span:
+    """Of so many parts, the first after which the maps differ: it is one of those from ``same`` to ``differs``."""
+
+    def __init__(self, count: int, whole: Trial) -> None:
+        self.same = 0
+        self.before: Trial | None = None
+        self.differs = count
+        self.after = whole
+
+    def take(self, parts: int, trial: Trial) -> None:
+        """Narrows the span by what so many parts have shown."""
         if trial.differs:
-            earlier = attempt(shortener.prefix(guess))
-            if not earlier.differs:
-                return guess, trial, earlier
-            differs, after = guess, earlier
-    while rung < differs:
-        trial = attempt(shortener.prefix(rung))
-        if trial.differs:
-            differs, after = rung, trial
-            break
-        same, before = rung, trial
-        rung *= 2
-    while differs - same > 1:
-        middle = (same + differs) // 2
-        trial = attempt(shortener.prefix(middle))
-        if trial.differs:
-            differs, after = middle, trial
+            self.differs, self.after = parts, trial
         else:
-            same, before = middle, trial
-    return differs - 1, after, before
+            self.same, self.before = parts, trial
+
+    def try_around(self, guess: int, attempt: Callable[[int], Trial]) -> None:
+        """Tries the parts up to a guess, and those before it."""
+        for parts in (guess + 1, guess):
+            if self.same < parts < self.differs:
+                self.take(parts, attempt(parts))
+
+    def double(self, attempt: Callable[[int], Trial]) -> None:
+        """Goes up in steps that double, until the maps differ."""
+        first, step = self.same, 1
+        while first + step < self.differs:
+            self.take(first + step, attempt(first + step))
+            step *= 2
+
+    def halve(
+        self, attempt: Callable[[int], Trial]
+    ) -> tuple[int, Trial, Trial | None]:
+        """The last part of the shortest that differs; the trials after it and before it."""
+        while self.differs - self.same > 1:
+            middle = (self.same + self.differs) // 2
+            self.take(middle, attempt(middle))
+        return self.differs - 1, self.after, self.before
 
 
 class _Beams:
@@ -181,15 +209,10 @@ class _Beams:
     def attempt(self, count: int) -> Trial:
         return self.run(self.shortener.beams(self.scan, count, self.history))
 
-    def first(self, whole: Trial) -> tuple[int, Trial, Trial | None]:
+    def first(
+        self, whole: Trial, guess: int
+    ) -> tuple[int, Trial, Trial | None]:
         """The first beam after which the maps differ; the trials after it and before it."""
-        same, before = 0, None
-        differs, after = self.shortener.beams_in(self.scan), whole
-        while differs - same > 1:
-            middle = (same + differs) // 2
-            trial = self.attempt(middle)
-            if trial.differs:
-                differs, after = middle, trial
-            else:
-                same, before = middle, trial
-        return differs - 1, after, before
+        span = _Span(self.shortener.beams_in(self.scan), whole)
+        span.try_around(guess, self.attempt)
+        return span.halve(self.attempt)

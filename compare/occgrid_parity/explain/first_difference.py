@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import NamedTuple
 
-from occgrid_parity.explain.closeness import compare_with_reference
+from occgrid_parity.explain.closeness import (
+    Compared,
+    compare_with_reference,
+)
 from occgrid_parity.explain.difference_record import (
-    first_touching_scan,
+    BeamView,
+    TouchingBeams,
     report_deduced,
     report_found,
 )
@@ -38,8 +44,10 @@ class _Trials:
         self.runs = 0
         self.known: dict[str, Trial] = {}
 
-    def compare(self, case: Case, observed: Observed) -> Trial:
-        compared = compare_with_reference(observed, case, self.mode)
+    def compare(
+        self, case: Case, observed: Observed, known: Compared | None = None
+    ) -> Trial:
+        compared = known or compare_with_reference(observed, case, self.mode)
         wanted = (
             {"identical"} if self.strict else {"identical", "halves", "edges"}
         )
@@ -63,11 +71,15 @@ class _Trials:
 
 
 class Explained(NamedTuple):
-    """The first difference, how many runs it took, and of the maps that show it the one with the fewest scans."""
+    """The first difference, how many runs it took, and of the maps that show it the one with the fewest scans.
+
+    ``partial`` are the maps that the program drew of the first scans only, by their number.
+    """
 
     difference: FirstDifference | None
     runs: int = 0
     short: Trial | None = None
+    partial: Mapping[int, Observed] = MappingProxyType({})
 
 
 def find_first_difference(
@@ -77,26 +89,32 @@ def find_first_difference(
     observed: Observed,
     strict: bool,
     save: Path | None,
+    known: Compared | None = None,
 ) -> Explained:
     """Where the map first differs.
 
-    ``strict``: what rounding explains counts as a difference, too. The minimal scenario is written into ``save``.
+    ``known`` is how the map compares, if that is known already. ``strict``: what rounding explains counts as a
+    difference, too. The minimal scenario is written into ``save``.
     """
     if not case.is_file:
-        return Explained(report_deduced(case, mode, observed, own_poses=True))
+        known = known or compare_with_reference(
+            observed, case, mode, own_poses=True
+        )
+        return Explained(report_deduced(case, mode, observed, known))
     trials = _Trials(runner, mode, strict)
+    whole = trials.compare(case, observed, known)
     try:
-        whole = trials.compare(case, observed)
-        guess = first_touching_scan(case, mode, whole)
+        view = BeamView(case, mode)
+        guess = TouchingBeams(view)
         found = search(case, mode, whole, trials.attempt, guess)
     except SearchFailed as failed:
-        deduced = report_deduced(case, mode, observed, own_poses=False)
+        deduced = report_deduced(case, mode, observed, whole.compared)
         if deduced is not None:
             deduced = replace(
                 deduced, undetermined=[str(failed)], runs=trials.runs
             )
         return Explained(deduced, trials.runs)
-    report = report_found(case, mode, found, trials.runs)
+    report = report_found(view, case, mode, found, trials.runs)
     if save is not None:
         save.mkdir(parents=True, exist_ok=True)
         file = save / MINIMAL
@@ -105,4 +123,5 @@ def find_first_difference(
         report = replace(report, scenario_file=str(file), command=command)
     shown = [found.trial, found.prefix or found.trial]
     short = min(shown, key=lambda trial: len(world_of(trial.case).scans))
-    return Explained(report, trials.runs, short)
+    partial = {n: trial.observed for n, trial in found.prefixes.items()}
+    return Explained(report, trials.runs, short, partial)

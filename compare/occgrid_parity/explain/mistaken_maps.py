@@ -1,14 +1,15 @@
 """Draws maps with planted mistakes, and rules most of them out without drawing much.
 
-Mistakes that leave the beams alone share the beams' cells, which take the most time. Of a large map a mistake is first
-held against every sixteenth cell, which is exact: cells do not depend on each other.
+Mistakes that leave the beams alone share the beams' cells, which take the most time. In a large map a mistake is first
+held against the square with the most wrong cells, for which only the beams near it are traced. That is exact: cells do
+not depend on each other.
 """
 
 from __future__ import annotations
 
 import functools
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from hashlib import sha256
 from typing import NamedTuple
@@ -16,10 +17,13 @@ from typing import NamedTuple
 import numpy as np
 
 from occgrid_parity.explain.closeness import Closeness, differing, grey_levels
-from occgrid_parity.explain.shorter_scenarios import Shortener
 from occgrid_parity.model.arithmetic import Arithmetic
-from occgrid_parity.model.array_types import Mask
-from occgrid_parity.model.mapper_steps import Drawn, Mapper, Traced
+from occgrid_parity.model.mapper_steps import (
+    Drawn,
+    Mapper,
+    Traced,
+    Window,
+)
 from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.rounding import beams_of
 from occgrid_parity.model.worlds import world_of
@@ -27,10 +31,9 @@ from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
-LARGE = 10_000  # cells of a map of which a sample is drawn first
-SAMPLE = 16
-FEW_SCANS = 8
-FAR = 0.1  # share of the sample that no other sines and cosines can change
+LARGE = 10_000  # cells of a map of which a square is drawn first
+SQUARE = 16  # cells along a side
+FAR = 0.1  # share of the square that no other sines and cosines can change
 ROUNDINGS = 1000  # additions that a cell's log-odds may have behind them
 
 # the steps that decide which cells are updated, and how: mistakes in others share them
@@ -50,10 +53,12 @@ TRACING = (
     "lines",
     "evidence",
     "kept",
-    "trace",
+    "ends",
     "within_scan",
     "batches",
 )
+# those that decide where a cell lies in the files
+ARRANGING = ("place", "file_order", "picture", "arrange")
 
 
 class Digests(NamedTuple):
@@ -83,8 +88,30 @@ class Evidence:
     @functools.cached_property
     def is_conditioned(self) -> bool:
         """Whether rounding decides no beam of it."""
-        beams = beams_of(world_of(self.case), self.mode.seed)
+        own_poses = not self.case.is_file
+        beams = beams_of(world_of(self.case), self.mode.seed, own_poses)
         return beams.undecided.size == 0
+
+    @functools.cached_property
+    def window(self) -> Window:
+        """The square of the grid in which most cells are not the reference's."""
+        drawn = reference_map(self.case, self.mode)
+        height, width = drawn.log_odds.shape
+        wrong = np.zeros(
+            (-(-height // SQUARE) * SQUARE, -(-width // SQUARE) * SQUARE)
+        )
+        wrong[:height, :width] = differing(self.observed, drawn)
+        counts = wrong.reshape(
+            wrong.shape[0] // SQUARE, SQUARE, -1, SQUARE
+        ).sum(axis=(1, 3))
+        row, column = np.unravel_index(counts.argmax(), counts.shape)
+        left, bottom = int(column) * SQUARE, int(row) * SQUARE
+        return Window(
+            left,
+            bottom,
+            min(left + SQUARE, width),
+            min(bottom + SQUARE, height),
+        )
 
 
 @dataclass
@@ -125,18 +152,14 @@ class MistakenMaps:
         if known is not None:
             return known == _digests(one.observed, known)
         mapper = mistake.of(one.case, one.mode.seed, numbers)
-        batches = self._batches(mapper, one, numbers)
         s = mapper.settings
         if s.width * s.height >= LARGE and not halves:
-            if not self._shows(mistake, one):
+            share = self._wrong_in_square(mapper, one, numbers)
+            if share > FAR:
                 self.far.add(mistake.name)
+            if share:
                 return False
-            wrong, cells = self._sampled(mapper, one, batches)
-            if wrong > FAR * cells:
-                self.far.add(mistake.name)
-            if wrong:
-                return False
-        drawn = mapper.draw(batches)
+        drawn = mapper.draw(self._batches(mapper, one, numbers))
         DRAWN[_key(mistake, one, numbers)] = _digests(drawn)
         if not _same_shape(drawn, one.observed):
             return False
@@ -145,74 +168,51 @@ class MistakenMaps:
         return halves and _only_halves(one.observed, drawn)
 
     def _batches(
-        self, mapper: Mapper, one: Evidence, numbers: Arithmetic
-    ) -> list[Traced] | None:
-        """The updates of a map, if the mistake has the contract's."""
+        self,
+        mapper: Mapper,
+        one: Evidence,
+        numbers: Arithmetic,
+        window: Window | None = None,
+    ) -> Iterable[Traced]:
+        """The updates of a map, or of a window of it; kept where the mistake has the contract's."""
         kind = type(mapper)
-        if any(
-            getattr(kind, step) is not getattr(Mapper, step)
-            for step in TRACING
-            if step != "reads"
-        ):
-            return None
-        if kind.reads.__func__ is not Mapper.reads.__func__:  # type: ignore[attr-defined]
-            return None
-        key = (id(numbers), f"{one.case.digest} {one.mode.name}")
+        if any(_overrides(kind, step) for step in TRACING):
+            return mapper.batches(window)
+        key = (id(numbers), f"{one.case.digest} {one.mode.name} {window}")
         with self.lock:
             if key not in self.shared:
-                self.shared[key] = list(mapper.batches())
+                self.shared[key] = list(mapper.batches(window))
             return self.shared[key]
 
-    def _shows(self, mistake: type[Mapper], one: Evidence) -> bool:
-        """Whether a map is wrong in one of the cells that the mistake changes in a few of the scans.
+    def _wrong_in_square(
+        self, mapper: Mapper, one: Evidence, numbers: Arithmetic
+    ) -> float:
+        """Of the cells in the square with the most wrong ones, the share that the mistake does not draw.
 
-        A map that is right in all of them has not this mistake. Saying so too often can only keep a cause from
-        being named.
+        0 where the mistake exchanges cells, so that the square cannot be drawn alone.
         """
-        few = self._few_scans(one)
-        if few is None:
-            return True
-        right = reference_map(few, one.mode)
-        drawn = mistake.of(few, one.mode.seed).draw()
-        if not _same_shape(drawn, one.observed):
-            return False
-        changed = drawn.pixels != right.pixels
-        whole = reference_map(one.case, one.mode)
-        if drawn.pixels.shape != whole.pixels.shape or not changed.any():
-            return True
-        wrong = one.observed.pixels != whole.pixels
-        return bool((changed & wrong).any())
-
-    def _few_scans(self, one: Evidence) -> Case | None:
-        """A scenario with a few of the scans; None where noise goes by their numbers or there are few already."""
-        shortener = Shortener(one.case)
-        count = len(shortener.scan_lines)
-        if one.mode.seed is not None or count < 4 * FEW_SCANS:
-            return None
-        return shortener.some(range(0, count, count // FEW_SCANS))
-
-    def _sampled(
-        self, mapper: Mapper, one: Evidence, batches: list[Traced] | None
-    ) -> tuple[int, int]:
-        """Of a sample of the cells that are not as at the start, how many are wrong; and how many there are."""
+        if any(_overrides(type(mapper), step) for step in ARRANGING):
+            return 0.0
         s = mapper.settings
-        sample: Mask = np.arange(s.width * s.height) % (SAMPLE + 1) == 0
-        drawn = mapper.draw(batches, sample)
-        if not _same_shape(drawn, one.observed):
-            return 1, 1
-        square = sample.reshape(s.height, s.width)
-        there = mapper.arrange(square.astype(np.int64)) == 1
-        wrong = there & (drawn.pixels != one.observed.pixels)
-        unknown = np.bincount(drawn.pixels.reshape(-1)).argmax()
-        cells = there & (
-            (drawn.pixels != unknown) | (one.observed.pixels != unknown)
-        )
-        count = int(np.count_nonzero(wrong))
-        if one.observed.log_odds is not None and not count:
-            mask = mapper.file_order(square.astype(np.float64)) == 1.0
-            same = drawn.log_odds == one.observed.log_odds
-            count = int((~same & mask).any())
-        return count, int(np.count_nonzero(cells))
+        if one.observed.pixels.shape != (s.height, s.width):
+            return 1.0
+        w = one.window
+        values = mapper.values(w, self._batches(mapper, one, numbers, w))
+        rows, columns = slice(w.bottom, w.top), slice(w.left, w.right)
+        pixels = mapper.pixel(mapper.probability(values))
+        wrong = pixels != one.observed.pixels[::-1][rows, columns].reshape(-1)
+        if one.observed.log_odds is not None:
+            own = one.observed.log_odds[rows, columns].reshape(-1)
+            wrong |= own != values
+        return float(wrong.mean())
+
+
+def _overrides(kind: type[Mapper], step: str) -> bool:
+    """Whether a mistake lies in a step."""
+    own, contract = getattr(kind, step), getattr(Mapper, step)
+    return getattr(own, "__func__", own) is not getattr(
+        contract, "__func__", contract
+    )
 
 
 def _key(

@@ -9,11 +9,10 @@ import numpy as np
 
 from occgrid.grid import sigmoid
 from occgrid_parity.explain.mistaken_maps import Evidence
+from occgrid_parity.explain.single_updates import single_update
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.model.array_types import Array
-from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.reference import reference_map
-from occgrid_parity.model.worlds import world_of
 from occgrid_parity.suite.cases import scenario_folder
 
 TRINARY = {0, 205, 254}
@@ -31,7 +30,7 @@ def observations(maps: Sequence[Evidence], reads_scenarios: bool) -> list[str]:
     ]
     said = []
     # the first that fits explains the grey levels
-    for looks in ((_maximum, _trinary, _single_update), (_log_odds,)):
+    for looks in ((_maximum, _trinary, _probability), (log_odds_fault,)):
         sentences = (look(maps) for look in looks)
         said += [text for text in sentences if text][:1]
     if not reads_scenarios:
@@ -62,49 +61,21 @@ def _trinary(maps: Sequence[Evidence]) -> str:
     )
 
 
-def _single_update(maps: Sequence[Evidence]) -> str:
+def _probability(maps: Sequence[Evidence]) -> str:
     """Another probability, from cells that have been updated once."""
     for free in (False, True):
-        said = [_once(one, free) for one in maps]
-        known = {text for text in said if text is not None}
-        if len(known) == 1 and "" not in known:
-            return known.pop()
+        said = [single_update(one, free) for one in maps]
+        known = {one for one in said if one is not None}
+        wrong = {one for one in known if not one.is_right}
+        if len(known) == 1 and wrong:
+            update = known.pop()
+            if update.p is not None:
+                return update.words
     return ""
 
 
-def _once(one: Evidence, free: bool) -> str | None:
-    """What the cells with one update show; None: there are none; empty: right, or of several greys."""
-    if one.observed.top != 255:
-        return None
-    world = world_of(one.case)
-    mapper = Mapper(world, one.mode.seed)
-    s = world.settings
-    step = mapper.steps()[0 if free else 1]
-    if s.p0 != 0.5:
-        return None
-    drawn = reference_map(one.case, one.mode)
-    cells = (drawn.log_odds == mapper.start() + step)[::-1]
-    levels, counts = np.unique(one.observed.pixels[cells], return_counts=True)
-    if counts.sum() < 3:
-        return None
-    expected = int(drawn.pixels[cells][0])
-    found = int(levels[counts.argmax()])
-    # a few cells may be on the other side of an edge, but one grey must be that of nearly all
-    if abs(found - expected) <= 1 or counts.max() < 0.9 * counts.sum():
-        return ""
-    p = round(1.0 - found / 255.0, 2)
-    if np.floor((1.0 - p) * 255.0 + 0.5) != found:
-        return ""
-    what, name = ("crossed", "p_free") if free else ("hit", "p_occ")
-    right = s.p_free if free else s.p_occ
-    return (
-        f"cells that one beam has {what} have grey level {found}, which is that of a probability of {p:.2f}; with "
-        f"{name} {right:.2f} it is {expected}"
-    )
-
-
-def _log_odds(maps: Sequence[Evidence]) -> str:
-    """What the log-odds of all maps together show."""
+def log_odds_fault(maps: Sequence[Evidence]) -> str:
+    """What the log-odds of all maps together show, in a sentence; empty where nothing is seen."""
     pairs = [
         (one.observed.log_odds, reference_map(one.case, one.mode).log_odds)
         for one in maps
@@ -135,7 +106,10 @@ def _single(found: Array, right: Array) -> bool:
 
 
 def _base_10(found: Array, right: Array) -> bool:
-    return bool(np.allclose(found * np.log(10.0), right, 1e-9, 1e-9))
+    """Cells that are or were at a limit tell nothing: the limits are the same in either base."""
+    tell = (np.abs(right) < np.abs(right).max()) & (right != 0.0)
+    same = np.isclose(found[tell] * np.log(10.0), right[tell], 1e-9, 1e-9)
+    return bool(same.any()) and float(same.mean()) > 0.99
 
 
 def _probabilities(found: Array, right: Array) -> bool:
@@ -148,8 +122,8 @@ LOOKS: tuple[tuple[str, Callable[[Array, Array], bool]], ...] = (
         _probabilities,
     ),
     (
-        "your log-odds are those of the reference divided by log(10): the logarithm is taken to base 10, and must be "
-        "the natural one",
+        "where they are not clamped, your log-odds are those of the reference divided by log(10): the logarithm is "
+        "taken to base 10, and must be the natural one",
         _base_10,
     ),
     (

@@ -37,15 +37,24 @@ SYMMETRIES: dict[str, Turn] = {
 def orientation(observed: Observed, case: Case, mode: Mode) -> list[str]:
     """Which symmetries, the identity apart, turn the map into the reference's picture."""
     found = []
-    expected = reference_map(case, mode).pixels.shape
+    expected = reference_map(case, mode).pixels
+    upright = _wrong(observed.pixels, expected)
     for name, back in SYMMETRIES.items():
         turned = back(observed.pixels)
-        if turned.shape != expected:
+        # rounding explains a few cells only, so a picture that comes no nearer when it is turned is not turned
+        if _wrong(turned, expected) >= upright:
             continue
         picture = Observed(np.ascontiguousarray(turned), None, "")
         if compare_with_reference(picture, case, mode).status != "differs":
             found.append(name)
     return found
+
+
+def _wrong(found: Pixels, expected: Cells) -> float:
+    """How many cells are not the same; infinitely many where the sizes differ."""
+    if found.shape != expected.shape:
+        return np.inf
+    return float(np.count_nonzero(found != expected))
 
 
 LEAST_LIKENESS = 0.3  # a correlation of pictures below it says nothing

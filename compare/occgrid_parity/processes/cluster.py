@@ -19,7 +19,7 @@ LOOK = 0.2  # seconds between two looks whether to stop
 CONNECT = 30.0
 
 
-class NoCluster(Exception):
+class NoCluster(ConnectionError):
     """There is no cluster at the address, or nothing to reach it with."""
 
 
