@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -64,6 +65,19 @@ def installed(tmp_path_factory: pytest.TempPathFactory) -> Installed:
     except subprocess.CalledProcessError as error:
         unavailable(f"the wheel cannot be installed: {error.stderr}")
     return Installed(folder / "venv" / "bin", folder)
+
+
+@pytest.fixture(scope="session")
+def mapper(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The C mapper, built."""
+    compiler = shutil.which("cc") or shutil.which("gcc")
+    if compiler is None:
+        unavailable("install gcc")
+    target = tmp_path_factory.mktemp("c") / "mapper"
+    options = ["-O2", "-ffp-contract=off", "-o", str(target)]
+    source = str(PROGRAMS / "mapper.c")
+    subprocess.run([str(compiler), *options, source, "-lm"], check=True)
+    return target
 
 
 def build_wheel(source: Path, target: Path) -> Path:

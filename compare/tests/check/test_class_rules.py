@@ -65,7 +65,16 @@ def test_errors_name_file_and_key(
 def test_the_examples_can_be_read(name: str) -> None:
     rules = read_rules(ROOT / "docs" / name)
     levels = {plan.name for plan in LEVELS}
-    own = {"runs", "file", "orientation", "seeds", "yaml", "bad-input"}
+    own = {
+        "runs",
+        "file",
+        "orientation",
+        "added",
+        "log-odds",
+        "seeds",
+        "yaml",
+        "bad-input",
+    }
     assert set(rules.points) <= levels | own
     assert not rules.points or levels <= set(rules.points)
 

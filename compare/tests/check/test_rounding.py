@@ -26,8 +26,6 @@ from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
 from ..check_helpers import MapperRunner, wrong_beam
 
-pytestmark = pytest.mark.long
-
 CONDITIONED = (
     "one-beam",
     "octants",

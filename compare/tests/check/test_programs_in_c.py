@@ -1,0 +1,105 @@
+"""Programs in C, right ones and ones with one mistake each: points lost, what is seen, causes named.
+
+No wrong program passes, no right one loses a point, and no cause is named that is not the mistake. A mistake costs the
+levels whose maps it spoils, and no others.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from ..check_helpers import check_words
+from .many_programs import EVERY, Expected, hold, quick, short
+
+__all__ = ["quick", "short"]
+pytestmark = pytest.mark.usefixtures("quick")
+
+# the C mapper: it reads scenarios and draws the contract's noise
+C = {
+    "none": Expected(),
+    "banner": Expected(said="before the picture"),
+    "yaml": Expected(),
+    "yaml-thresholds": Expected("yaml", said="occupied_thresh"),
+    "prior": Expected("prior", "prior-not-subtracted"),
+    "break-outside": Expected("outside", "robot-outside-skipped"),
+    "limits-ten": Expected("clamping prior powers", "limits-of-ten"),
+    "half-step": Expected(
+        "no-return outside simulated mixed formats noise mixed-noise",
+        "bearings-half-a-step-off",
+    ),
+    "fov-n": Expected(
+        "no-return outside simulated mixed formats noise mixed-noise",
+        "last-bearing-missing",
+    ),
+    "p-0.70": Expected("added", said="probability of 0.70"),
+    "twice": Expected(
+        "added prior powers formats", said="probability of 0.90"
+    ),
+    "log-odds": Expected(),
+    "float": Expected("log-odds", said="single precision"),
+    "digits": Expected("log-odds", said="6 significant digits"),
+    "probabilities": Expected("log-odds", said="holds probabilities"),
+    "base-10": Expected("added log-odds " + EVERY, said="to base 10"),
+    "octant": Expected(
+        "octants no-return prior simulated recorded formats noise mixed-noise"
+    ),
+    "odometry": Expected("mixed mixed-noise", "odometry-for-pose"),
+    "robot-pose": Expected("mixed mixed-noise", "robot-pose-for-laser"),
+    "recorded-noise": Expected("mixed-noise", "noise-on-recorded-scans"),
+    "scans-apart": Expected("mixed-noise", "simulated-scans-numbered-apart"),
+    "no-half": Expected("noise", "noise-of-whole-words"),
+    "no-noise": Expected("noise mixed-noise", "no-noise"),
+    "step-n-1": Expected("recorded", "flaser-step-n-minus-1"),
+    "flipped": Expected("orientation", "y-flipped y-axis-down"),
+    "bare-param": Expected("formats", said="PARAM without a value"),
+    "comment-anywhere": Expected(
+        "mixed mixed-noise", said="wrong number of values"
+    ),
+    "maximum-100": Expected(
+        EVERY.removeprefix("one-beam "), said="maximum is 100"
+    ),
+    "ros": Expected("added " + EVERY, said="0, 205 and 254"),
+    "last-wall": Expected(
+        "no-return outside simulated mixed formats noise mixed-noise"
+    ),
+    "sign-clamp": Expected("clamping powers"),
+    "short-range": Expected(
+        "no-return simulated recorded mixed noise mixed-noise"
+    ),
+    "remissions": Expected("recorded formats"),
+    "crash": Expected(
+        "runs file orientation added bad-input " + EVERY, said="SIGABRT"
+    ),
+    "half-file": Expected(
+        "file orientation added bad-input " + EVERY, said="half a file"
+    ),
+}
+
+WITH_LOG_ODDS = ("log-odds", "float", "digits", "probabilities", "base-10")
+
+# the C mapper, with the lesson it has built in and nothing else
+C_LESSON = {
+    "lesson-119": Expected("lesson", said="after 119 of 120 scans"),
+    "lesson-from-1": Expected("lesson", said="without the first scan"),
+    "lesson-even": Expected("lesson", said="every other scan (0, 2, 4, ...)"),
+}
+
+
+@pytest.mark.parametrize("bug", C)
+@pytest.mark.usefixtures("short")
+def test_a_program_in_c(mapper: Path, bug: str) -> None:
+    verdict = check_words(f"{mapper} {bug} {{mode}} {{out}} {{scenario}}")
+    hold(verdict, C[bug])
+    writes_more = bug.startswith("yaml") or bug in WITH_LOG_ODDS
+    assert verdict.maximum == 18 + writes_more, "wherever it fails"
+
+
+@pytest.mark.parametrize("bug", C_LESSON)
+def test_a_program_in_c_that_knows_only_the_lesson(
+    mapper: Path, bug: str
+) -> None:
+    verdict = check_words(f"{mapper} {bug} --noise-free {{out}}")
+    hold(verdict, C_LESSON[bug])
+    assert verdict.maximum == 5
