@@ -20,7 +20,7 @@ NUMPY = {
     "fancy-index": Expected("lesson"),
     "linspace": Expected("lesson"),
     "noise": Expected("lesson", said="two runs of lesson, noise-free differ"),
-    "own-noise": Expected("lesson", said="adds noise to every range"),
+    "own-noise": Expected("lesson", said="add noise to every range"),
     "index-error": Expected(
         "runs file orientation added lesson", said="IndexError"
     ),
