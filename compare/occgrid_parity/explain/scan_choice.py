@@ -45,12 +45,12 @@ def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
             (shortener.some([*every, count - 1]), "with the last scan twice"),
         ]
     whole = reference_map(case, mode)
-    most = _wrong(observed, whole) // 2
+    most = _wrong(observed, whole)
     for shorter, words in tried:
         drawn = reference_map(shorter, mode)
         same = (whole.log_odds == drawn.log_odds).all()
-        # rounding explains a few cells at the most, so a map that is not much nearer need not be looked at
-        if same or _wrong(observed, drawn) > most:
+        # a map that comes no nearer need not be looked at
+        if same or _wrong(observed, drawn) >= most:
             continue
         compared = compare_with_reference(
             observed, shorter, mode, own_poses=not case.is_file

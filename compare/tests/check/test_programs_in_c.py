@@ -82,7 +82,6 @@ WITH_LOG_ODDS = ("log-odds", "float", "digits", "probabilities", "base-10")
 # the C mapper, with the lesson it has built in and nothing else
 C_LESSON = {
     "lesson-119": Expected("lesson", said="after 119 of 120 scans"),
-    "lesson-from-1": Expected("lesson", said="without the first scan"),
     "lesson-even": Expected("lesson", said="every other scan (0, 2, 4, ...)"),
 }
 
