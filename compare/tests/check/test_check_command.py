@@ -57,8 +57,8 @@ def test_a_wrong_program_ends_with_1_and_can_be_seen_again(
     status, text = invoke("--run", run, "--out", str(tmp_path))
     assert status == 1
     mistake = MISTAKES["prior-not-subtracted"]
-    said = " ".join(text.split())
-    assert mistake.title in said and mistake.where in said
+    assert f"{mistake.title} [{mistake.name}]" in text
+    assert "it reproduces all 15 of your maps exactly" in text
     command = next(
         line.strip()
         for line in text.splitlines()
