@@ -107,6 +107,7 @@ def test_every_mistake_fails_the_check_and_is_named(name: str) -> None:
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name",
     [
