@@ -15,7 +15,8 @@ import java.util.stream.Stream;
  * text would name another file.
  *
  * @param text as Java hands it over
- * @param bytes its bytes, each as a character of Latin-1
+ * @param bytes its bytes, each as a character of Latin-1; U+FFFD for one
+ *        that is not known
  */
 record Argument(String text, String bytes) {
     /** An argument that is what it looks like. */
@@ -50,9 +51,9 @@ record Argument(String text, String bytes) {
 
     /** An argument whose bytes are not known: U+FFFD stands for others. */
     private static Argument ofText(String text) {
-        return new Argument(text, text.indexOf('\ufffd') < 0
-                ? of(text).bytes
-                : text.replace('\ufffd', '?'));
+        return text.indexOf('\ufffd') < 0
+                ? of(text)
+                : new Argument(text, text);
     }
 
     /** Whether the text has these bytes, so that files can be opened by it. */
