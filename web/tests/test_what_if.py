@@ -12,7 +12,7 @@ from harness_parts import (
     SCENARIOS,
     SEED,
     Mapper,
-    World,
+    seed_of,
     world,
 )
 from pages_in_browser import ROOT, Open
@@ -28,7 +28,7 @@ COUNTS = """name => {
 
 def open_scenario(open_page: Open, name: str) -> Page:
     """A scenario of the suite in play.html, after its last scan."""
-    page = open_page("play", f"#seed={SEED}")
+    page = open_page("play", f"#seed={seed_of(name)}")
     if name != "lesson":
         page.set_input_files("#file", ROOT / "scenarios" / f"{name}.log")
         said = page.locator("#file-words", has_text=f"{name}.log: ")
@@ -37,10 +37,11 @@ def open_scenario(open_page: Open, name: str) -> Page:
     return page
 
 
-def words_of(name: str, drawn_world: World) -> tuple[str, bool]:
+def words_of(name: str, scenario: str) -> tuple[str, bool]:
     """What the page has to say, by the catalogue; and whether anything differs."""
-    right = Mapper(drawn_world, SEED).draw()
-    wrong = MISTAKES[name](drawn_world, SEED).draw()
+    drawn_world, seed = world(scenario), seed_of(scenario)
+    right = Mapper(drawn_world, seed).draw()
+    wrong = MISTAKES[name](drawn_world, seed).draw()
     height, width = right.pixels.shape
     if wrong.pixels.shape != right.pixels.shape:
         return f"The picture has {height} x {width} pixels", True
@@ -73,13 +74,13 @@ def test_the_mistakes_are_those_of_the_catalogue(open_page: Open) -> None:
         assert MISTAKES[name].lesson in label
 
 
+@pytest.mark.long
 def test_each_mistake_differs_in_as_many_cells(open_page: Open) -> None:
     seen = set()
     for scenario in SCENARIOS:
         page = open_scenario(open_page, scenario)
-        drawn_world = world(scenario)
         for name in page.evaluate("occgridPage.mistakes"):
-            expected, differs = words_of(name, drawn_world)
+            expected, differs = words_of(name, scenario)
             assert counts(page, name).startswith(expected), (scenario, name)
             if differs:
                 seen.add(name)
@@ -91,7 +92,7 @@ def test_each_mistake_differs_in_as_many_cells(open_page: Open) -> None:
 )
 def test_a_mistake_in_the_whole_lesson(open_page: Open, mistake: str) -> None:
     page = open_scenario(open_page, "lesson")
-    expected, differs = words_of(mistake, world("lesson"))
+    expected, differs = words_of(mistake, "lesson")
     assert differs
     assert counts(page, mistake).startswith(expected)
 
