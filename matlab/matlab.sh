@@ -23,6 +23,17 @@ literals() {
     done
 }
 
+# Ends the command by a signal, and then this script. Octave can lose one that
+# comes while it starts, so the signal is sent until the command has ended.
+end_by() {
+    (while kill -s "$1" $child; do sleep 2; done) > /dev/null 2>&1 &
+    again=$!
+    wait $child
+    kill -s KILL $again
+    trap - "$1"
+    kill -s "$1" $$
+}
+
 # Runs a command. A signal that ends this script goes to the command first,
 # which removes its temporary files; its input is this script's own. A shell
 # has its background ignore SIGINT: Octave would, too, until it is up.
@@ -34,8 +45,7 @@ run() {
     "$@" <&3 3<&- &
     child=$!
     for signal in HUP INT TERM; do
-        trap "kill -s $signal $child; wait $child; trap - $signal;
-              kill -s $signal $$" $signal
+        trap "end_by $signal" $signal
     done
     wait $child
     exit $?

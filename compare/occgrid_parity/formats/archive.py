@@ -89,4 +89,6 @@ def unpack(data: bytes, folder: Path) -> None:
     """Writes the files of an archive into a new folder."""
     folder.mkdir(parents=True)
     with tarfile.open(fileobj=io.BytesIO(data)) as tar:
-        tar.extractall(folder, filter="tar")
+        # Python 3.11.4 and later filter, and warn where it is not said how
+        tar.extraction_filter = getattr(tarfile, "tar_filter", None)
+        tar.extractall(folder)
