@@ -101,6 +101,7 @@ def test_stopped_and_taken_up(tmp_path: Path, number: signal.Signals) -> None:
     # --timeout is another rule: nothing is taken over by it
     assert "taken over" not in again.stdout
     third = check(tmp_path)
+    assert third.returncode == 0, third
     assert "2 of 2 have not changed and were taken over" in third.stdout
 
 
