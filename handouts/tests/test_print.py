@@ -9,6 +9,8 @@ import sys
 from itertools import pairwise
 from pathlib import Path
 
+import pytest
+
 from built_handouts import REQUIRE_ALL, Handouts, needs
 from occgrid_handouts.languages import LANGUAGES
 from occgrid_handouts.project import ROOT
@@ -80,6 +82,7 @@ def test_nothing_leaves_the_paper(handouts: Handouts) -> None:
             assert max(below) <= float(height) - 20, path
 
 
+@pytest.mark.long
 def test_two_builds_are_the_same(handouts: Handouts, tmp_path: Path) -> None:
     """The second one in a process of its own, where sets and hashes have another order."""
     again = tmp_path / "again"

@@ -12,7 +12,7 @@ from ..check_helpers import PROGRAMS, check_words
 from .many_programs import EVERY, QUIET, Expected, hold, need, quick, short
 
 __all__ = ["quick", "short"]
-pytestmark = pytest.mark.usefixtures("quick")
+pytestmark = [pytest.mark.usefixtures("quick"), pytest.mark.long]
 
 # NumPy, with the lesson only
 NUMPY = {
