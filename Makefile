@@ -34,6 +34,8 @@ SYNC := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 WORKERS := -n $(JOBS) --dist loadfile
 CPP_TESTS := cmake -S cpp -B cpp/build-tests -DOCCGRID_BUILD_TESTS=ON; cmake --build cpp/build-tests --parallel 2
 WEB_PAGES := (cd web && npm ci --silent && node build.mjs ../build/handouts)
+BROWSER_TESTS := $(addprefix web/tests/,test_play.py::test_every_scan_has_the_golden_hash \
+    test_check.py::test_right_maps_are_identical test_check.py::test_wrong_size_and_missing_scans)
 SPEECH := (cd handouts/speech && npm ci --silent)
 VERAPDF := mvn -B -ntp -q org.apache.maven.plugins:maven-dependency-plugin:3.8.1:copy \
     -Dartifact=org.verapdf.apps:greenfield-apps:1.28.2 -DoutputDirectory=build/verapdf
@@ -185,10 +187,10 @@ run-test-web:
 
 run-test-web-pages:
 	@scripts/part web-pages 'node=nodejs npm pytest' '$(WEB_PAGES); \
-	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c web/tests/pytest.ini $(WORKERS) -m "not long" web/tests'
+	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c web/tests/pytest.ini $(BROWSER_TESTS)'
 
 run-test-web-pages-long:
-	@scripts/part web-pages-long 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini -m long web/tests'
+	@scripts/part web-pages-long 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini web/tests'
 
 run-test-bench:
 	@scripts/part bench 'pytest' 'pytest bench/tests'

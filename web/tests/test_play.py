@@ -320,16 +320,14 @@ def test_the_cell_and_what_if_follow_when_a_slider_rests(
     before = words(page, "cell-words"), words(page, "difference-words")
     for control, value in (("l_min", -7), ("l_min", -6), ("p_occ", 0.9)):
         set_value(page, control, value)
+    # the values come to rest one after the other
     page.wait_for_function(
-        "old => document.querySelector('#cell-words').innerText !== old[0]"
-        " && document.querySelector('#difference-words').innerText !== old[1]",
+        "old => { const said = document.querySelector('#cell-words').innerText;"
+        " const now = occgridPage.lab.maps().now[111 * 220 + 99];"
+        " return said !== old[0] && said.includes(`Log-odds ${now}, `)"
+        " && document.querySelector('#difference-words').innerText !== old[1]; }",
         arg=list(before),
     )
-    after = words(page, "cell-words"), words(page, "difference-words")
-    log_odds = page.evaluate(
-        "occgridPage.lab.maps().now[111 * 220 + 99].toString()"
-    )
-    assert f"Log-odds {log_odds}, " in after[0]
 
 
 def test_the_robot_is_dragged_turned_and_put_back(

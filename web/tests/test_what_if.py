@@ -136,6 +136,6 @@ def test_a_switch_is_moved_and_a_cell_read(open_page: Open) -> None:
     assert int(found[2]) == wrong.pixels[height - 1 - gy, gx]
     assert int(found[4]) == right.pixels[height - 1 - gy, gx]
     page.locator("[data-mistake=hit-also-free]").uncheck()
-    expected, _ = words_of("bearings-clockwise", drawn_world)
+    expected, _ = words_of("bearings-clockwise", "asymmetric")
     count = expected.split(" ")[0]
     page.locator("#difference-words", has_text=f"{count} of ").wait_for()
