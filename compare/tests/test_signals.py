@@ -31,17 +31,22 @@ SCENARIOS = 200
 
 
 def start(
-    port: Port, folder: Path, *arguments: str
+    port: Port, folder: Path, number: signal.Signals, *arguments: str
 ) -> subprocess.Popen[bytes]:
-    return subprocess.Popen(
-        command_line(port, *arguments),
-        cwd=folder,
-        env={**os.environ, "PATH": search_path()},
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    """A run that does not ignore the signal, even where these tests do, as in a shell's background."""
+    before = signal.signal(number, signal.SIG_DFL)
+    try:
+        return subprocess.Popen(
+            command_line(port, *arguments),
+            cwd=folder,
+            env={**os.environ, "PATH": search_path()},
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+    finally:
+        signal.signal(number, before)
 
 
 def temporary(folder: Path) -> list[str]:
@@ -75,7 +80,7 @@ def test_a_signal_while_files_are_written(
     before = files(tmp_path)
     out = tmp_path / "o"
     out.mkdir()
-    process = start(port, tmp_path, "--out", "o", *scenarios)
+    process = start(port, tmp_path, number, "--out", "o", *scenarios)
     until = time.monotonic() + port.timeout
     while not temporary(out) and time.monotonic() < until:
         assert process.poll() is None, "the run has ended"
@@ -101,7 +106,9 @@ def test_a_signal_at_the_start(
     head, pose = GRID.rsplit("\n", 2)[:2]
     lines = [head, "PARAM occgrid_beams 2000", *[pose] * 3000, ""]
     (tmp_path / "long.log").write_text("\n".join(lines))
-    process = start(port, tmp_path, "--plain", "--out", "o", "long.log")
+    process = start(
+        port, tmp_path, number, "--plain", "--out", "o", "long.log"
+    )
     time.sleep(0.1)
     process.send_signal(number)
     check_end(port, process, number)
