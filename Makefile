@@ -190,7 +190,7 @@ run-test-web-pages:
 	    $(if $(CI),PARITY_REQUIRE_ALL=1 )pytest -c web/tests/pytest.ini $(BROWSER_TESTS)'
 
 run-test-web-pages-long:
-	@scripts/part web-pages-long 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini web/tests'
+	@scripts/part web-pages-long 'node=nodejs npm pytest' '$(WEB_PAGES); pytest -c web/tests/pytest.ini $(WORKERS) web/tests'
 
 run-test-bench:
 	@scripts/part bench 'pytest' 'pytest bench/tests'

@@ -328,18 +328,22 @@ def test_names_that_are_not_utf_8(tmp_path: Path) -> None:
 
 
 def start_writing(
-    folder: Path, out: Path, **more: Any
+    folder: Path, out: Path, number: signal.Signals, action: signal.Handlers
 ) -> subprocess.Popen[bytes]:
-    """A run that is in the midst of writing a map of 2 million cells."""
+    """A run that is in the midst of writing a map of 2 million cells, and that was started with a signal's action."""
     scenario = folder / "wide.log"
     text = Path(ONE_BEAM).read_text()
     text = text.replace("occgrid_width 8", "occgrid_width 2000")
     text = text.replace("occgrid_height 5", "occgrid_height 1000")
     scenario.write_text(text)
     arguments = ["-m", "occgrid", "--out", str(out), str(scenario)]
-    process = subprocess.Popen(
-        [sys.executable, *arguments], stderr=subprocess.PIPE, **more
-    )
+    before = signal.signal(number, action)
+    try:
+        process = subprocess.Popen(
+            [sys.executable, *arguments], stderr=subprocess.PIPE
+        )
+    finally:
+        signal.signal(number, before)
     deadline = time.monotonic() + 60
     while not list(out.glob(".occgrid-*.part")):
         assert process.poll() is None and time.monotonic() < deadline
@@ -354,12 +358,7 @@ def test_a_signal_leaves_no_temporary_file(
 ) -> None:
     """The run ends by the signal, also where these tests run in the background and ignore SIGINT themselves."""
     out = tmp_path / "maps"
-    before = signal.signal(number, signal.SIG_DFL)
-    try:
-        process = start_writing(tmp_path, out)
-    finally:
-        signal.signal(number, before)
-    with process:
+    with start_writing(tmp_path, out, number, signal.SIG_DFL) as process:
         process.send_signal(number)
         _, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (-number, b"")
@@ -373,12 +372,7 @@ def test_an_ignored_signal_stays_ignored(
 ) -> None:
     """As a shell has it for what runs in the background: the map is written."""
     out = tmp_path / "maps"
-    before = signal.signal(number, signal.SIG_IGN)
-    try:
-        process = start_writing(tmp_path, out)
-    finally:
-        signal.signal(number, before)
-    with process:
+    with start_writing(tmp_path, out, number, signal.SIG_IGN) as process:
         process.send_signal(number)
         _, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (0, b"")

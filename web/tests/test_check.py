@@ -116,7 +116,6 @@ def test_log_odds_are_compared_in_every_bit(
     assert f"the right one {right!r}" in readout
 
 
-@pytest.mark.long
 def test_every_mistake_that_the_page_knows_is_named(
     open_page: Open, tmp_path: Path
 ) -> None:
@@ -147,7 +146,6 @@ def test_every_mistake_that_the_page_knows_is_named(
     assert left == ["pixel-half-even"]
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(
     "mistake", ["hit-also-free", "truncation", "rows-and-columns-swapped"]
 )
@@ -224,7 +222,6 @@ class Linspace(Mapper):
         return np.linspace(-np.pi / 2, np.pi / 2, self.settings.beams)
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("kind", [Mapper, Linspace])
 @pytest.mark.parametrize("numbers", [arithmetic.PLATFORM, NUMPY])
 def test_a_right_program_with_its_own_sine_differs_at_edges_only(
@@ -250,7 +247,6 @@ def test_a_right_program_with_its_own_sine_differs_at_edges_only(
     assert "edges" not in words
 
 
-@pytest.mark.long
 def test_no_more_is_claimed_than_the_full_check_claims(
     open_page: Open, tmp_path: Path
 ) -> None:

@@ -74,7 +74,6 @@ def test_the_mistakes_are_those_of_the_catalogue(open_page: Open) -> None:
         assert MISTAKES[name].lesson in label
 
 
-@pytest.mark.long
 def test_each_mistake_differs_in_as_many_cells(open_page: Open) -> None:
     seen = set()
     for scenario in SCENARIOS:

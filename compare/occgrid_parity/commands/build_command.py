@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from occgrid_parity.commands.console import (
+    AllowSkipped,
     Jobs,
     Root,
     print_plain,
@@ -26,10 +27,7 @@ def build_command(
     ] = None,
     root: Root = None,
     jobs: Jobs = 2,
-    allow_skipped: Annotated[
-        bool,
-        typer.Option(help="A port whose tools are missing is no failure."),
-    ] = False,
+    allow_skipped: AllowSkipped = False,
 ) -> None:
     """Build the ports, as their port.toml says."""
     console = wide_console()

@@ -23,6 +23,8 @@ from occgrid_parity.campaign.campaign_record import (
 from occgrid_parity.campaign.campaign_run import Campaign, CampaignPlan, Do
 from occgrid_parity.commands.check_arguments import Scheduler
 from occgrid_parity.commands.console import (
+    AllowSkipped,
+    BuildFirst,
     Root,
     print_plain,
     wide_console,
@@ -115,13 +117,8 @@ def campaign_command(
         ),
     ] = None,
     scheduler: Scheduler = None,
-    build_first: Annotated[
-        bool, typer.Option("--build/--no-build", help="Build the ports first.")
-    ] = True,
-    allow_skipped: Annotated[
-        bool,
-        typer.Option(help="A port whose tools are missing is no failure."),
-    ] = False,
+    build_first: BuildFirst = True,
+    allow_skipped: AllowSkipped = False,
 ) -> None:
     """Map random worlds and logs, thousands of them, and shorten what differs.
 

@@ -1,4 +1,4 @@
-"""What the commands share: the console, and how wrong usage is told."""
+"""What the commands share: options, the console, and how wrong usage is reported."""
 
 from __future__ import annotations
 
@@ -15,10 +15,14 @@ Root = Annotated[
         "--root", metavar="DIR", help="The repository, if not this one."
     ),
 ]
-
-
 Jobs = Annotated[
     int, typer.Option(min=1, help="How many processes side by side.")
+]
+BuildFirst = Annotated[
+    bool, typer.Option("--build/--no-build", help="Build the ports first.")
+]
+AllowSkipped = Annotated[
+    bool, typer.Option(help="A port whose tools are missing is no failure.")
 ]
 
 

@@ -11,6 +11,8 @@ from rich.console import Console
 
 from occgrid_parity.commands.check_arguments import Scheduler
 from occgrid_parity.commands.console import (
+    AllowSkipped,
+    BuildFirst,
     Jobs,
     Root,
     print_plain,
@@ -87,13 +89,8 @@ def run_command(
             help="Seconds for one scenario, in place of each port's own.",
         ),
     ] = None,
-    build_first: Annotated[
-        bool, typer.Option("--build/--no-build", help="Build the ports first.")
-    ] = True,
-    allow_skipped: Annotated[
-        bool,
-        typer.Option(help="A port whose tools are missing is no failure."),
-    ] = False,
+    build_first: BuildFirst = True,
+    allow_skipped: AllowSkipped = False,
     scheduler: Scheduler = None,
 ) -> None:
     """Map scenarios with the ports and compare the maps, bit for bit.
