@@ -26,6 +26,8 @@ literals() {
 # Ends the command by a signal, and then this script. Octave can lose one that
 # comes while it starts, so the signal is sent until the command has ended.
 end_by() {
+    trap '' HUP INT TERM
+    child=${child:-$!}
     (while kill -s "$1" $child; do sleep 2; done) > /dev/null 2>&1 &
     again=$!
     wait $child
@@ -42,11 +44,12 @@ run() {
     if env --default-signal=INT true 2> /dev/null; then
         set -- env --default-signal=INT "$@"
     fi
-    "$@" <&3 3<&- &
-    child=$!
+    child=
     for signal in HUP INT TERM; do
         trap "end_by $signal" $signal
     done
+    "$@" <&3 3<&- &
+    child=$!
     wait $child
     exit $?
 }

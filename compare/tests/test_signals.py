@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -60,7 +61,9 @@ def check_end(
     try:
         status = process.wait(timeout=20)
     finally:
-        process.kill()
+        # the interpreter, too, if the port's shell script has left it behind
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         process.wait()
     assert status in (-number, 128 + number), f"{port.name}: status {status}"
 
