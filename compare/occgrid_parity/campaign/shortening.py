@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TypeVar
 
+from occgrid.scenario import REQUIRED
 from occgrid_parity.campaign.judging import valid
 from occgrid_parity.suite.cases import Case
 
@@ -22,14 +23,6 @@ Lines = list[Fields]
 Shows = Callable[[Sequence[Case]], list[bool]]
 """shows(cases): which of the scenarios, all of them valid, still show it."""
 
-REQUIRED = (
-    "width",
-    "height",
-    "resolution",
-    "origin_x",
-    "origin_y",
-    "max_range",
-)
 POSE, FLASER, ROBOTLASER1 = "POSE", "FLASER", "ROBOTLASER1"
 BEFORE_RANGES = {FLASER: 1, ROBOTLASER1: 8}
 """Where the count of ranges stands in a line."""
