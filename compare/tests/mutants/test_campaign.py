@@ -5,10 +5,13 @@ from __future__ import annotations
 import ast
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
+import numpy as np
 import pytest
 
 from occgrid_mutants import port_modules
+from occgrid_mutants.calls import Calls
 from occgrid_mutants.campaign import Campaign, Result
 from occgrid_mutants.report import summary, write
 from occgrid_mutants.sites import sites
@@ -65,3 +68,37 @@ def test_no_change_is_there_twice() -> None:
             found = sites(module, ast.parse(path.read_text("utf-8")))
             places = [(s.name, s.line, s.lines, s.kind) for s in found]
             assert len(places) > len(set(places)) * 0.9
+
+
+def test_calls_are_asked_again(campaign: Campaign) -> None:
+    """A change that no call can tell is spared the scenarios; any other is not."""
+    calls = Calls()
+    with port_modules.loaded(campaign.code) as modules:
+        module: Any = modules["portable_math"]
+        with calls.recorded(module):
+            module.log(np.array([0.25, 0.75]))
+            module.sin(0.5)
+        assert {name for name, _ in calls.seen} >= {"log", "sin"}
+        assert calls.alike(module)
+        right = module.sin
+        for wrong in (
+            lambda x: np.nextafter(right(x), 2.0),  # another bit
+            lambda x: np.array([float(right(x))]),  # another shape
+        ):
+            module.sin = wrong
+            assert not calls.alike(module)
+        module.sin = right
+        logarithm = module.log
+
+        def in_place(x: Any) -> Any:
+            answer = logarithm(x)
+            x += 1.0
+            return answer
+
+        def in_its_argument(x: Any) -> Any:
+            x[...] = logarithm(x)
+            return x
+
+        for wrong_log in (in_place, in_its_argument):
+            module.log = wrong_log
+            assert not calls.alike(module)
