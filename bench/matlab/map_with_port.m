@@ -1,5 +1,6 @@
-function log_odds = map_with_port(work, batch)
-    % MAP_WITH_PORT  Log-odds (height, width) of the work, batch scans at once.
+function log_odds = map_with_port(work, batch, plain)
+    % MAP_WITH_PORT  Log-odds (height, width) of the work, batch scans at once,
+    % or scan after scan by the plain program.
     spec = occgrid.grid.grid_spec( ...
         work.width, work.height, work.resolution, ...
         work.origin_x, work.origin_y);
@@ -12,6 +13,14 @@ function log_odds = map_with_port(work, batch)
         scans{i} = occgrid.sensor.scan(pose, work.angles, work.ranges(:, i));
     end
     scans = [scans{:}];
+    if plain
+        for scan = scans
+            map = occgrid.sensor.update_grid_from_scan( ...
+                map, scan, work.max_range, 'free');
+        end
+        log_odds = map.log_odds;
+        return
+    end
     for first = 1:batch:count
         numbers = first:min(first + batch - 1, count);
         map = occgrid.fast.update_grid_from_scans( ...

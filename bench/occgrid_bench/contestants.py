@@ -152,6 +152,14 @@ CONTESTANTS = [
         "port",
         _python("python/port_driver.py", "scan"),
         1.2e7,
+        "update_grid_from_scans, scan after scan",
+    ),
+    Contestant(
+        "python-plain",
+        "NumPy port, plain",
+        "port",
+        _python("python/port_driver.py", "plain"),
+        1.2e6,
         "update_grid_from_scan, scan after scan",
     ),
     Contestant(
@@ -170,6 +178,15 @@ CONTESTANTS = [
         _octave("matlab/port_driver.m", "scan"),
         2e6,
         "update_grid_from_scans, scan after scan",
+        install="octave",
+    ),
+    Contestant(
+        "octave-plain",
+        "Octave port, plain",
+        "port",
+        _octave("matlab/port_driver.m", "plain"),
+        1.2e5,
+        "update_grid_from_scan, scan after scan",
         install="octave",
     ),
     Contestant(

@@ -96,6 +96,16 @@ def _lesson_goals(part: Part) -> list[Goal]:
             ),
         ],
     )
+    for title, name, other, bound in (
+        ("C++", "cpp-plain", REFERENCE, 1.0),
+        ("Java, warm", "java-plain", "lesson-java", 1.0),
+        ("NumPy", "python-plain", "lesson-python", 1.3),
+        ("Octave", "octave-plain", "lesson-octave", 1.0),
+    ):
+        value = _times(part.find(other), part.find(name))
+        if value is not None:
+            text = f"{title}, plain: time over the lesson's algorithm"
+            found.append(Goal(text, value, bound, False, part.command))
     over_cpp = _times(part.find("cpp"), part.find("java"))
     if over_cpp is not None:
         text = "Java, warm: time over the C++ port's"

@@ -1,6 +1,9 @@
 """The Python port at the benchmark's work.
 
-usage: port_driver.py WORK log|scan     log: all scans at once; scan: update_grid_from_scan, scan after scan
+usage: port_driver.py WORK log|scan|plain
+
+log: all scans at once; scan: the same module, one scan after another; plain: update_grid_from_scan, one scan after
+another.
 """
 
 from __future__ import annotations
@@ -17,7 +20,7 @@ from occgrid.world import Pose
 
 def main() -> None:
     work = read_work(sys.argv[1])
-    whole_log = sys.argv[2] == "log"
+    how = sys.argv[2]
     spec = GridSpec(*work[:5])
     scans = [
         Scan(Pose(*pose), work.angles, ranges)
@@ -27,11 +30,12 @@ def main() -> None:
 
     def map_work() -> None:
         grid = OccupancyGrid(spec)
-        if whole_log:
+        if how == "log":
             update_grid_from_scans(grid, scans, work.max_range)
-        else:
-            for scan in scans:
-                update_grid_from_scan(grid, scan, work.max_range)
+        for scan in scans if how == "scan" else []:
+            update_grid_from_scans(grid, [scan], work.max_range)
+        for scan in scans if how == "plain" else []:
+            update_grid_from_scan(grid, scan, work.max_range)
         mapped[:] = [grid]
 
     def log_odds() -> Array:

@@ -215,6 +215,7 @@ def test_every_port_takes_part() -> None:
     [
         "python",
         "python-scan",
+        "python-plain",
         "lesson-python",
         "web",
         "web-plain",
