@@ -141,11 +141,28 @@ forgetLines[] := (
   lineFromOrigin[dx_, dy_, width_] := rememberLine[dx, dy, width]);
 forgetLines[];
 
-MapScenarioFast[scenario_?scenarioQ, seed_?seedQ] := Module[
-  {grid = NewGrid[scenario["settings"]]},
-  UpdateGridFromScans[grid, SimulatedScans[scenario, seed],
-    scenario["settings"]["maxRange"], scenario["settings"]["noReturn"]];
+MapScenarioFast[scenario_?scenarioQ, seed_?seedQ] :=
+  MapScenarioFast[scenario, seed, Null &];
+MapScenarioFast[scenario_?scenarioQ, seed_?seedQ, progress_] := Module[
+  {grid = NewGrid[scenario["settings"]], done = 0},
+  progress[0];
+  Scan[
+    Function[batch,
+      UpdateGridFromScans[grid, batch,
+        scenario["settings"]["maxRange"], scenario["settings"]["noReturn"]];
+      done = done + Length[batch];
+      progress[done]],
+    batches[SimulatedScans[scenario, seed]]];
   grid];
 MapScenarioFast[___] := wrongArguments[MapScenarioFast];
+
+(* Scans in order, about 8192 beams at a time: between two batches there is
+   time to say how far the map is. *)
+batches[{}] := {};
+batches[scans_] := With[
+  {size = Max[1, Quotient[8192, Max[1, Length[scans[[1, 2]]]]]]},
+  Table[
+    Take[scans, {first, Min[(first + size) - 1, Length[scans]]}],
+    {first, 1, Length[scans], size}]];
 
 End[];

@@ -134,11 +134,28 @@ mapOne[scenario_, options_] := Module[{seed, grid},
     options["noiseFree"], None,
     options["seed"] === None, 0,
     True, options["seed"]];
-  grid = If[options["plain"], MapScenario, MapScenarioFast][scenario, seed];
+  grid = If[options["plain"],
+    MapScenario[scenario, seed],
+    MapScenarioFast[scenario, seed,
+      showProgress[scenario["name"], #, Length[scenario["scans"]]] &]];
   If[options["out"] === None,
     printOut[MapPgm[grid, #] &],
     WriteMap[options["out"], scenario["name"], grid]];
   If[options["plot"] =!= None, plotMap[options["plot"], grid]]];
+
+(* On standard error, how long a long log still takes: a line after ten
+   seconds, and then each minute. *)
+showProgress[name_, 0, scans_] := (
+  mappingStarted = AbsoluteTime[];
+  nextProgress = 10);
+showProgress[name_, done_, scans_] := With[
+  {seconds = AbsoluteTime[] - mappingStarted},
+  If[done < scans && seconds - nextProgress >= 0,
+    WriteString["stderr", StringJoin[
+      oneLine[name], ": ", ToString[Quotient[100*done, scans]],
+      " % mapped, about ",
+      ToString[Floor[Divide[seconds*(scans - done), done]]], " s to go\n"]];
+    nextProgress = seconds + 60]];
 
 plotMap[file_, grid_] := If[
   Quiet[Check[Export[plainPath[file], DrawMap[grid]], $Failed]] === $Failed,

@@ -156,7 +156,8 @@ UpdateGridFromScans::usage = "UpdateGridFromScans[grid, scans, zMax, \
 noReturn] updates the grid in the variable grid with scans in order: the same \
 bits as UpdateGridFromScan for each, in less time.";
 MapScenarioFast::usage = "MapScenarioFast[scenario, seed] gives the same \
-grid as MapScenario, in less time.";
+grid as MapScenario, in less time. MapScenarioFast[scenario, seed, progress] \
+calls progress with the number of scans mapped so far, now and then.";
 
 (* --- map_writer --- *)
 

@@ -117,3 +117,14 @@ VerificationTest[
     {None, 0, 77}],
   {True, True, True},
   TestID -> "plain and fast, a scenario"]
+
+VerificationTest[
+  (* 5000 beams a scan: two batches of one scan, each of which is announced *)
+  Module[{calls = {}, scan, scenario},
+    scan = RangeScan[Pose[0., 0., 0.], ConstantArray[0., 5000],
+      ConstantArray[1., 5000]];
+    scenario = Append[smallWorld, "scans" -> {scan, scan}];
+    MapScenarioFast[scenario, None, AppendTo[calls, #] &];
+    calls],
+  {0, 1, 2},
+  TestID -> "progress after each batch"]
