@@ -35,6 +35,7 @@ from occgrid_parity.course.submission_task import (
 from occgrid_parity.formats.archive import NOTHING, ArchiveError, pack
 from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.progress import Progress
+from occgrid_parity.processes.turns import Turns, at_most
 from occgrid_parity.processes.wall import find_wall
 from occgrid_parity.processes.worker_slots import WorkerLost, WorkerSlots
 
@@ -112,23 +113,36 @@ class ClassRun:
     ) -> list[Submission]:
         """Checks every submission that has changed since the last run.
 
-        ``work`` does a task, and ``jobs`` of them at a time; by default in processes of this machine. Whatever ends
-        this, what has been found is written.
+        ``work`` does a task, and ``jobs`` of them at a time; by default in processes of this machine, where others
+        begin while some only wait. Whatever ends this, what has been found is written.
         """
         self.progress.total(len(self.places))
-        slots = WorkerSlots(self.plan.jobs)
+        slots = WorkerSlots(at_most(self.plan.jobs))
+        turns = Turns(self.plan.jobs, slots.working)
 
         def here(task: Task, stop: threading.Event) -> Checked:
-            return slots.run(check_task, task, stop)
+            with turns.turn(stop):
+                self.progress.begin(task.name)
+                return slots.run(check_task, task, stop)
+
+        def there(task: Task, stop: threading.Event) -> Checked:
+            assert work is not None
+            self.progress.begin(task.name)
+            return work(task, stop)
+
+        do = here if work is None else there
 
         def one(place: Path, stop: threading.Event) -> None:
-            self._one(place, stop, work or here)
+            self._one(place, stop, do)
 
         try:
-            side_by_side(one, self.places, jobs or self.plan.jobs)
-        finally:
+            side_by_side(one, self.places, jobs or at_most(self.plan.jobs))
             slots.close()
             self.write()
+        except BaseException:  # also where a signal comes in the last lines
+            slots.close()
+            self.write()
+            raise
         return self.submissions
 
     @property
@@ -159,7 +173,6 @@ class ClassRun:
                 self.taken_up += 1
             self.progress.step(f"{name}: {verdict.summary} (as before)")
             return
-        self.progress.begin(name)
         task = Task(name, archive, self.wanted, place, self.store.place(name))
         try:
             checked = work(task, stop)

@@ -18,6 +18,7 @@ The bound says which beams may go either way, and nothing else: maps are compare
 from __future__ import annotations
 
 import functools
+import itertools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -40,7 +41,8 @@ from occgrid_parity.model.uncertain_ranges import (
 from occgrid_parity.model.worlds import World
 
 ANGLE_ULPS = 8.0
-KEPT = 8  # worlds
+KEPT = 64  # worlds in a mode: those of the suite, which a class asks for again and again, and some more
+KEPT_BEAMS = 300_000  # of all of them together, at some 200 bytes each
 
 
 @dataclass(frozen=True)
@@ -76,12 +78,16 @@ class _LastBeams:
         self.known: list[tuple[World, int | None, bool, Beams]] = []
 
     def of(self, world: World, seed: int | None, own_poses: bool) -> Beams:
-        for entry in self.known:
-            if entry[0] is world and entry[1:3] == (seed, own_poses):
-                return entry[3]
-        beams = _all_beams(world, seed, own_poses)
-        self.known = [(world, seed, own_poses, beams), *self.known[: KEPT - 1]]
-        return beams
+        known = [one for one in self.known if one[0] is world]
+        found = next((x for x in known if x[1:3] == (seed, own_poses)), None)
+        if found is None:
+            beams = _all_beams(world, seed, own_poses)
+            found = world, seed, own_poses, beams
+        others = [one for one in self.known if one is not found]
+        sizes = itertools.accumulate(one[3].scan.size for one in others)
+        kept = sum(size < KEPT_BEAMS for size in sizes)
+        self.known = [found, *others[: min(kept, KEPT - 1)]]
+        return found[3]
 
 
 _last = _LastBeams()

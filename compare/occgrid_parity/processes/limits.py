@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from occgrid_parity.processes import supervisor_server
+from occgrid_parity.processes.own_time import COUNTED
 from occgrid_parity.processes.process_group import first_line, run_process
 from occgrid_parity.processes.wall import NONE, Wall
 
@@ -54,8 +55,8 @@ MISSING = (
 class Limits:
     """What one run may use.
 
-    ``seconds`` of time; ``output`` bytes of files and of what is printed, together; ``memory`` bytes of all its
-    processes; ``processes`` at a time.
+    ``seconds`` of time, without that in which it could have run and others had the processor; ``output`` bytes of
+    files and of what is printed, together; ``memory`` bytes of all its processes; ``processes`` at a time.
     """
 
     seconds: float = 60.0
@@ -143,7 +144,7 @@ def run_limited(
         ),
         encoding="utf-8",
     )
-    seconds = _supervise(config, limits.seconds + GRACE, stop)
+    seconds = _supervise(config, limits.seconds / COUNTED + GRACE, stop)
     if not report.is_file():
         said = first_line(_said(config)) or "nothing on standard error"
         message = f"the run could not be watched to its end ({said})"

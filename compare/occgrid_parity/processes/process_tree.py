@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
 
 import psutil
 
+LISTS_CHILDREN = any(Path("/proc/self/task").glob("*/children"))
 DEAD = (psutil.STATUS_ZOMBIE, psutil.STATUS_DEAD)
 
 
@@ -15,6 +18,30 @@ def descendants(process: psutil.Process) -> set[psutil.Process]:
         return set(filter(is_alive, process.children(recursive=True)))
     except psutil.NoSuchProcess:
         return set()
+
+
+def descendants_quickly(process: psutil.Process) -> set[psutil.Process]:
+    """The same, where Linux lists the children of each process, without a look at all processes of the machine.
+
+    It can miss one whose brother ends just now.
+    """
+    if not LISTS_CHILDREN:
+        return descendants(process)
+    found: set[psutil.Process] = set()
+    todo = [process.pid]
+    while todo:
+        for pid in _children(todo.pop()):
+            todo.append(pid)
+            with suppress(psutil.NoSuchProcess):
+                found.add(psutil.Process(pid))
+    return set(filter(is_alive, found))
+
+
+def _children(pid: int) -> Iterator[int]:
+    """The processes that a thread of this one has started and that are there still, by their numbers."""
+    for file in Path(f"/proc/{pid}/task").glob("*/children"):
+        with suppress(OSError):
+            yield from map(int, file.read_bytes().split())
 
 
 def children_of_ended(pid: int) -> set[psutil.Process]:

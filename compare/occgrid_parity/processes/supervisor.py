@@ -8,9 +8,11 @@ ends those that it has seen.
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import os
+import select
 import signal
 import subprocess
 import sys
@@ -20,9 +22,11 @@ from typing import Any
 
 import psutil
 
+from occgrid_parity.processes.own_time import OwnTime
 from occgrid_parity.processes.process_tree import (
     children_of_ended,
     descendants,
+    descendants_quickly,
     is_alive,
     kill_all,
     resident_bytes,
@@ -52,6 +56,14 @@ def size_of(folder: Path) -> int:
             except OSError:
                 continue
     return total
+
+
+def handle_of(pid: int) -> int | None:
+    """A file descriptor that can be read when the process has ended; None where the system has none."""
+    if sys.platform == "linux":
+        with contextlib.suppress(AttributeError, OSError):
+            return os.pidfd_open(pid)
+    return None
 
 
 class Command:
@@ -91,18 +103,24 @@ class Command:
             finally:
                 os.close(writing)
             self.refused = pipe.read().decode()
+        self.handle = handle_of(self.process.pid)
 
-    def living(self) -> set[psutil.Process]:
+    def living(self, quickly: bool = False) -> set[psutil.Process]:
         """Every process of the command that is known to live: the descendants, and who has been one before."""
-        found = descendants(psutil.Process())
+        listed = descendants_quickly if quickly else descendants
+        found = listed(psutil.Process())
         for one in self.seen - found:
             if is_alive(one):
-                found |= {one, *descendants(one)}
+                found |= {one, *listed(one)}
         self.seen = found
         return found
 
     def has_ended(self) -> bool:
         """Whether the command ends within a moment."""
+        if self.handle is not None:
+            # to wait with a limit, subprocess sleeps, longer and longer; this returns as soon as the command ends
+            select.select([self.handle], [], [], LOOK)
+            return self.process.poll() is not None
         try:
             self.process.wait(LOOK)
         except subprocess.TimeoutExpired:
@@ -123,7 +141,8 @@ class Command:
             except (ProcessLookupError, PermissionError):
                 pass
         for _ in range(500):
-            found = self.living()
+            # where a whole look has found nobody, a quick one is enough
+            found = self.living(quickly=not self.seen)
             if not found:
                 break
             kill_all(found)
@@ -139,6 +158,7 @@ class Watch:
         self.word = ""
         self.peak = 0
         self.started = self.looked = self.measured = time.monotonic()
+        self.own_time = OwnTime()
         self.stopped = False
         signal.signal(signal.SIGTERM, self.stop)
         signal.signal(signal.SIGINT, self.stop)
@@ -148,25 +168,32 @@ class Watch:
         self.stopped = True
 
     def look(self, command: Command) -> None:
-        """Looks at what is due: time at each call, the rest now and then."""
+        """Looks at what is due: at each call whether to stop, the rest now and then."""
         now = time.monotonic()
-        if self.stopped or self.parent_is_gone():
-            self.word = "stopped"
-        elif now - self.started > self.config["seconds"]:
-            self.word = "hang"
-        if now - self.looked > (LOOK if now - self.started < 1.0 else LATER):
+        limit = self.config["seconds"]
+        pause = LOOK if now - self.started < 1.0 else LATER
+        if now - self.looked > pause or self.own_time.seconds > limit:
             self.looked = now
-            found = command.living()
-            memory = sum(resident_bytes(one) for one in found)
-            self.peak = max(self.peak, memory)
-            own = WALL_PROCESSES if self.config["walled"] else 0
-            if len(found) > self.config["processes"] + own:
-                self.word = "forks"
-            elif self.peak > self.config["memory"]:
-                self.word = "too much memory"
+            self.look_at_processes(command)
         if now - self.measured > MEASURE:
             self.measured = now
             self.measure()
+        if not self.word and self.own_time.seconds > limit:
+            self.word = "hang"
+        if self.stopped or self.parent_is_gone():
+            self.word = "stopped"
+
+    def look_at_processes(self, command: Command) -> None:
+        """Looks at their number, their memory, and how long they have waited for a processor."""
+        found = command.living(quickly=True)
+        self.own_time.look(one.pid for one in found)
+        memory = sum(resident_bytes(one) for one in found)
+        self.peak = max(self.peak, memory)
+        own = WALL_PROCESSES if self.config["walled"] else 0
+        if len(found) > self.config["processes"] + own:
+            self.word = "forks"
+        elif self.peak > self.config["memory"]:
+            self.word = "too much memory"
 
     def measure(self) -> None:
         """Looks at how much was written and printed."""

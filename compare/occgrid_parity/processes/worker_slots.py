@@ -36,10 +36,12 @@ class WorkerLost(Exception):
 
 
 class WorkerSlots:
-    """Processes, as many as work is done at a time. Each does one piece after the other, and keeps what it has read."""
+    """Processes for so much work at a time. Each does one piece after the other, and keeps what it has read."""
 
     def __init__(self, jobs: int) -> None:
-        self.free: queue.SimpleQueue[_Worker | None] = queue.SimpleQueue()
+        # the one that has worked last is taken first: what it has read is there
+        self.free: queue.LifoQueue[_Worker | None] = queue.LifoQueue()
+        self.at_work: set[int] = set()
         for _ in range(jobs):
             self.free.put(None)
 
@@ -57,21 +59,44 @@ class WorkerSlots:
                     raise Stopped
                 try:
                     worker = worker or _Worker()
-                    return worker.run(work, argument, stop)
-                except BrokenProcessPool:
+                    return self._do(worker, work, argument, stop)
+                except (BrokenProcessPool, Stopped) as error:
                     if worker is not None:
                         worker.end()
                     worker = None
+                    if isinstance(error, Stopped):
+                        raise
             raise WorkerLost(f"the process that did it died {TRIES} times")
         finally:
             self.free.put(worker)
+
+    def _do(
+        self,
+        worker: _Worker,
+        work: Callable[[T], R],
+        argument: T,
+        stop: threading.Event,
+    ) -> R:
+        self.at_work.add(worker.process.pid)
+        try:
+            return worker.run(work, argument, stop)
+        finally:
+            self.at_work.discard(worker.process.pid)
+
+    def working(self) -> list[int]:
+        """The numbers of the processes that work now."""
+        return list(self.at_work)
 
     def close(self) -> None:
         """Ends the processes."""
         while not self.free.empty():
             worker = self.free.get()
-            if worker is not None:
-                worker.end()
+            try:
+                if worker is not None:
+                    worker.end()
+            except BaseException:
+                self.free.put(worker)  # a signal: the next close finds it
+                raise
 
 
 class _Worker:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +22,7 @@ from occgrid_parity.compare.run_record import (
 from occgrid_parity.formats.errors import OutputError
 from occgrid_parity.formats.map_files import read_map
 from occgrid_parity.report.frames import Frames, lesson_or_file, record_frames
+from occgrid_parity.report.packing import pack, pack_log_odds
 from occgrid_parity.report.run_table import explain_result, shown_status
 from occgrid_parity.suite.modes import Mode, parse_mode
 
@@ -35,6 +37,18 @@ class DrawnMap:
 
     pixels: NDArray[np.unsignedinteger]
     log_odds: NDArray[np.float64] | None
+
+    @functools.cached_property
+    def packed(self) -> dict[str, int | str | None]:
+        """The map as the page's script wants it."""
+        height, width = self.pixels.shape
+        own = self.log_odds
+        return {
+            "width": int(width),
+            "height": int(height),
+            "pixels": pack(self.pixels.astype(np.uint8).tobytes()),
+            "logOdds": None if own is None else pack_log_odds(own),
+        }
 
 
 Tone = Literal["good", "near", "bad", "off", "grey"]

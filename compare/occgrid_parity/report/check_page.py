@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import platform
 from collections.abc import Sequence
@@ -43,9 +44,12 @@ from occgrid_parity.report.case_views import (
     Tone,
     place,
 )
-from occgrid_parity.report.frames import record_frames
+from occgrid_parity.report.frames import Frames, record_frames
 from occgrid_parity.report.run_page import PAGE_FILE, render
+from occgrid_parity.suite.cases import Case
+from occgrid_parity.suite.modes import Mode
 
+KEPT = 32  # scenarios: their pictures are the same on all pages of a class
 EXPECTED = "reference"
 TONES: dict[str, Tone] = {
     "identical": "good",
@@ -180,7 +184,6 @@ def _case(
     verdict: Verdict, one: ComparedMap, partial: Sequence[PartialMap]
 ) -> CaseView:
     world = world_of(one.case)
-    drawn = reference_map(one.case, one.mode)
     maps: list[DrawnMap] = []
     expected, found = _results(verdict, one)
     pixels = one.observed.pixels.astype(np.uint16)
@@ -190,9 +193,7 @@ def _case(
         PortMap(
             expected,
             ["what the contract says"],
-            place(
-                maps, DrawnMap(drawn.pixels.astype(np.uint16), drawn.log_odds)
-            ),
+            place(maps, _reference(one.case, one.mode)),
             EXPECTED,
             "good",
         ),
@@ -214,9 +215,6 @@ def _case(
         for some in partial
         if (some.case.digest, some.mode) == (one.case.digest, one.mode)
     }
-    scenario = Scenario(
-        one.case.name, world.settings, list(world.walls), iter(world.scans)
-    )
     return CaseView(
         scenario=one.case.name,
         mode=one.mode,
@@ -224,7 +222,22 @@ def _case(
         spec=world.settings.new_grid().spec,
         ports=ports,
         maps=maps,
-        frames=record_frames(scenario, one.mode.seed, first),
+        frames=_frames(one.case, one.mode, frozenset(first)),
         walls=[tuple(wall) for wall in world.walls],
         partial=first,
     )
+
+
+@functools.lru_cache(KEPT)
+def _reference(case: Case, mode: Mode) -> DrawnMap:
+    drawn = reference_map(case, mode)
+    return DrawnMap(drawn.pixels.astype(np.uint16), drawn.log_odds)
+
+
+@functools.lru_cache(KEPT)
+def _frames(case: Case, mode: Mode, wanted: frozenset[int]) -> Frames:
+    world = world_of(case)
+    scenario = Scenario(
+        case.name, world.settings, list(world.walls), iter(world.scans)
+    )
+    return record_frames(scenario, mode.seed, wanted)

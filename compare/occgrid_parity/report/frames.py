@@ -16,6 +16,7 @@ from occgrid.scenario import Scenario, read_scenario
 from occgrid.sensor import Scan
 from occgrid.world import Pose
 from occgrid_parity.model.map_history import maps_after_scans
+from occgrid_parity.report.packing import pack_frames
 
 Picture = NDArray[np.uint8]
 
@@ -28,13 +29,13 @@ class Frames:
     """Pictures after some of the scans.
 
     ``scans``: the number of scans mapped in each; ``total``: scans there are; ``poses``: x, y, theta of the last of
-    them; ``pixels``: (frames, height, width) of 0 .. 255, the largest y first.
+    them; ``pixels``: the pictures packed, as pack_frames does it.
     """
 
     scans: list[int]
     total: int
     poses: list[Pose]
-    pixels: Picture
+    pixels: str
 
 
 def lesson_or_file(path: Path | None) -> Scenario:
@@ -116,5 +117,5 @@ class _Kept:
             list(self.pictures),
             self.total,
             [self.poses[n] for n in self.pictures],
-            np.stack(list(self.pictures.values())),
+            pack_frames(np.stack(list(self.pictures.values()))),
         )

@@ -9,14 +9,12 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from occgrid_parity.compare.run_record import RunRecord, to_json
 from occgrid_parity.formats.text_files import write_text
 from occgrid_parity.report.case_views import CaseView, case_views
-from occgrid_parity.report.packing import pack, pack_frames, pack_log_odds
 from occgrid_parity.report.run_table import footnotes, summary
 
 PAGE_FILE = "index.html"
@@ -121,23 +119,13 @@ def _case(record: RunRecord, case: CaseView) -> dict[str, Any]:
             }
             for port in case.ports
         ],
-        "maps": [
-            {
-                "width": int(drawn.pixels.shape[1]),
-                "height": int(drawn.pixels.shape[0]),
-                "pixels": pack(drawn.pixels.astype(np.uint8).tobytes()),
-                "logOdds": None
-                if drawn.log_odds is None
-                else pack_log_odds(drawn.log_odds),
-            }
-            for drawn in case.maps
-        ],
+        "maps": [drawn.packed for drawn in case.maps],
         "frames": None
         if case.frames is None
         else {
             "scans": case.frames.scans,
             "total": case.frames.total,
             "poses": case.frames.poses,
-            "pixels": pack_frames(case.frames.pixels),
+            "pixels": case.frames.pixels,
         },
     }

@@ -171,3 +171,26 @@ def test_without_an_explanation_no_mistake_is_named(tmp_path: Path) -> None:
     assert rows(tmp_path)["wrong"]["cause"] == ""
     check(tmp_path, "--scenario", "prior")
     assert rows(tmp_path)["wrong"]["cause"] == "prior-not-subtracted"
+
+
+@pytest.mark.skipif(
+    sys.platform != "linux", reason="elsewhere each waits for its turn"
+)
+def test_others_are_checked_while_one_hangs(tmp_path: Path) -> None:
+    submit(tmp_path, "a-hangs", 'run = ["sleep", "1000"]\n')
+    for name in ("b", "c"):
+        submit(tmp_path, name)
+    with subprocess.Popen(
+        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1"],
+        cwd=tmp_path,
+        text=True,
+        stdout=subprocess.PIPE,
+    ) as run:
+        assert run.stdout is not None
+        before = [next(run.stdout) for _ in range(4)]
+        run.send_signal(signal.SIGTERM)
+        printed, _ = run.communicate(timeout=60)
+    assert any(line.startswith("[2/3") for line in before), before
+    assert run.returncode == 128 + signal.SIGTERM
+    assert "stopped: 2 of 3 are checked" in printed
+    assert set(rows(tmp_path)) == {"b", "c"}

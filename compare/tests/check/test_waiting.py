@@ -1,0 +1,176 @@
+"""Programs that wait keep no processor from others, and time in which others have the processor does not count."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from occgrid_parity.processes import own_time, turns
+from occgrid_parity.processes.limits import Limits, run_limited
+from occgrid_parity.processes.own_time import OwnTime
+from occgrid_parity.processes.process_group import Stopped
+from occgrid_parity.processes.turns import Turns, at_most
+
+linux_only = pytest.mark.skipif(
+    sys.platform != "linux",
+    reason="only Linux says how long a thread has waited for a processor",
+)
+
+NEEDS = 0.7  # seconds of a processor
+PINNED = f"import os, time; os.sched_setaffinity(0, [{{cpu}}])\nwhile time.process_time() < {NEEDS}: pass"
+RIVAL = "import os; os.sched_setaffinity(0, [{cpu}])\nwhile True: pass"
+
+
+@contextlib.contextmanager
+def running(*codes: str) -> Iterator[list[int]]:
+    """Python programs that run meanwhile, by their numbers."""
+    with contextlib.ExitStack() as stack:
+        pids = []
+        for code in codes:
+            process = stack.enter_context(
+                subprocess.Popen([sys.executable, "-c", code])
+            )
+            stack.callback(process.kill)
+            pids.append(process.pid)
+        yield pids
+
+
+@linux_only
+def test_a_program_is_not_ended_for_the_time_that_others_take(
+    tmp_path: Path,
+) -> None:
+    """With four others on its only processor it takes five times as long as it needs, and far longer than its limit."""
+    cpu = min(os.sched_getaffinity(0))
+    out = tmp_path / "out"
+    out.mkdir()
+    with running(*[RIVAL.format(cpu=cpu)] * 4):
+        ended = run_limited(
+            [sys.executable, "-c", PINNED.format(cpu=cpu)],
+            cwd=out,
+            folder=tmp_path / "run",
+            watch=out,
+            limits=Limits(seconds=2 * NEEDS),
+        )
+    assert (ended.word, ended.message) == ("", "")
+    assert ended.seconds > 2 * NEEDS
+
+
+def test_a_program_that_never_ends_has_its_limit(tmp_path: Path) -> None:
+    for code in ("while True: pass", "import time; time.sleep(1000)"):
+        ended = run_limited(
+            [sys.executable, "-c", code],
+            cwd=tmp_path,
+            folder=tmp_path / "run",
+            watch=tmp_path / "out",
+            limits=Limits(seconds=0.5),
+        )
+        assert ended.word == "hang"
+
+
+def test_own_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the longest wait of a thread takes, but never more than nine tenths."""
+    now = 100.0
+    waited: dict[str, float] = {}
+    clock = SimpleNamespace(monotonic=lambda: now)
+    monkeypatch.setattr(own_time, "time", clock)
+    monkeypatch.setattr(
+        own_time,
+        "thread_times",
+        lambda pids: [(task, 0, int(s * 1e9)) for task, s in waited.items()],
+    )
+    mine = OwnTime()
+    now, waited = 101.0, {"1": 0.5, "2": 0.25}
+    assert mine.seconds == pytest.approx(1.0)
+    mine.look([])
+    assert mine.seconds == pytest.approx(0.5)
+    now, waited = 102.0, {"1": 0.5, "2": 0.5}
+    mine.look([])
+    assert mine.seconds == pytest.approx(0.5 + 0.75)
+    now, waited = 103.0, {"1": 0.5, "2": 0.5, "3": 7.0}
+    mine.look([])
+    assert mine.seconds == pytest.approx(0.5 + 0.75 + 0.1)
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A process is idle after half a second."""
+    monkeypatch.setattr(turns, "IDLE", 0.5)
+    monkeypatch.setattr(turns, "SAMPLE", 0.1)
+    monkeypatch.setattr(turns, "LOOK", 0.05)
+
+
+def has_turn_within(seconds: float, some: Turns) -> bool:
+    """Whether another piece of work gets its turn, for a moment."""
+    begun, stop = threading.Event(), threading.Event()
+
+    def one() -> None:
+        with contextlib.suppress(Stopped), some.turn(stop):
+            begun.set()
+
+    thread = threading.Thread(target=one)
+    thread.start()
+    found = begun.wait(seconds)
+    stop.set()
+    thread.join()
+    return found
+
+
+@linux_only
+@pytest.mark.usefixtures("quick")
+def test_others_begin_while_one_waits() -> None:
+    stop = threading.Event()
+    with running("import time; time.sleep(1000)") as pids:
+        some = Turns(1, lambda: pids)
+        with some.turn(stop):
+            assert has_turn_within(30, some)
+            with some.turn(stop):  # the one that waits has lent its place
+                assert not has_turn_within(1.5, some)
+        assert some.taken == 0
+
+
+@pytest.mark.usefixtures("quick")
+def test_nobody_else_begins_while_all_work() -> None:
+    stop = threading.Event()
+    with running("while True: pass") as pids:
+        some = Turns(1, lambda: pids)
+        with some.turn(stop):
+            assert not has_turn_within(2, some)
+        assert has_turn_within(30, some)
+
+
+@linux_only
+@pytest.mark.usefixtures("quick")
+def test_what_a_process_has_started_works_for_it() -> None:
+    """A shell that waits for a program is not idle while that works."""
+    code = "import subprocess, sys; subprocess.run([sys.executable, '-c', 'while True: pass'])"
+    stop = threading.Event()
+    with running(code) as pids:
+        some = Turns(1, lambda: pids)
+        with some.turn(stop):
+            assert not has_turn_within(2, some)
+        for child in turns._tree(pids[0])[1:]:
+            os.kill(child, 9)
+
+
+@linux_only
+@pytest.mark.usefixtures("quick")
+def test_there_is_an_end_to_lending() -> None:
+    stop = threading.Event()
+    most = at_most(1)
+    with running(*["import time; time.sleep(1000)"] * (most + 2)) as pids:
+        some = Turns(1, lambda: pids)
+        with contextlib.ExitStack() as stack:
+            for _ in range(most):
+                assert has_turn_within(30, some)
+                stack.enter_context(some.turn(stop))
+            time.sleep(1)
+            assert not has_turn_within(1, some)
