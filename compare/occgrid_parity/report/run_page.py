@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -39,6 +40,7 @@ def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
     return page
 
 
+@functools.cache
 def environment() -> Environment:
     """The templates."""
     return Environment(
