@@ -149,7 +149,7 @@ help:  ## This list
 
 run-test-lint:
 	@scripts/part lint 'ruff mypy' 'ruff check .; ruff format --check .; \
-	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests bench/tests),; mypy $(tests)); \
+	    mypy$(foreach tests,$(wildcard python/tests compare/tests handouts/tests bench/tests web/tests),; mypy $(tests)); \
 	    $(call mypy-for,win32)'
 
 run-test-python:

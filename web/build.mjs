@@ -54,6 +54,14 @@ const imports = {
       loader: "text",
       watchFiles: [path],
     }));
+    esbuild.onResolve({ filter: /^worker:/ }, ({ path, resolveDir }) => ({
+      path: resolve(resolveDir, path.slice("worker:".length)),
+      namespace: "worker",
+    }));
+    esbuild.onLoad(
+      { filter: /.*/, namespace: "worker" },
+      async ({ path }) => ({ contents: await bundle(path), loader: "text" }),
+    );
     for (const [name, made] of Object.entries({
       "docs:mistakes": catalogue,
       "scenarios:offered": offered,
@@ -73,10 +81,10 @@ const imports = {
   },
 };
 
-/** @param {string} page */
-async function bundle(page) {
+/** A program and all that it imports, as one script. @param {string} path @returns {Promise<string>} */
+async function bundle(path) {
   const result = await build({
-    entryPoints: [join(here, `pages/${page}/main.js`)],
+    entryPoints: [path],
     bundle: true,
     minify: true,
     charset: "utf8",
@@ -93,7 +101,8 @@ async function bundle(page) {
 async function makePage(page) {
   const read = (/** @type {string} */ path) =>
     readFileSync(join(here, "pages", path), "utf8");
-  const script = (await bundle(page)).replaceAll("</script", "<\\/script");
+  const program = await bundle(join(here, `pages/${page}/main.js`));
+  const script = program.replaceAll("</script", "<\\/script");
   return read(`${page}/page.html`)
     .replace(
       "<!-- style -->",

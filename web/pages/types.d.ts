@@ -3,6 +3,10 @@ declare module "text:*" {
   const text: string;
   export default text;
 }
+declare module "worker:*" {
+  const program: string;
+  export default program;
+}
 declare module "docs:mistakes" {
   const catalogue: Record<string, { title: string; lesson: string }>;
   export default catalogue;

@@ -122,7 +122,7 @@ export function mapScenarioFast(scenario, seed) {
 /** @typedef {{c: Float64Array, s: Float64Array}} Directions cosines and sines of a scan's beams in the world, (n) each */
 
 /** @param {Pose} pose @param {Float64Array} angles @returns {Directions} */
-function directionsOf(pose, angles) {
+export function directionsOf(pose, angles) {
   const c = new Float64Array(angles.length);
   const s = new Float64Array(angles.length);
   for (let i = 0; i < angles.length; i++) {
@@ -142,7 +142,7 @@ function directionsOf(pose, angles) {
  * @param {number} zMax
  * @returns {Float64Array}
  */
-function castRays(pose, walls, { c, s }, zMax) {
+export function castRays(pose, walls, { c, s }, zMax) {
   const ranges = new Float64Array(c.length).fill(zMax);
   for (const wall of walls) {
     const sx = wall.x1 - wall.x0;
@@ -171,14 +171,14 @@ function castRays(pose, walls, { c, s }, zMax) {
  * @param {number} zMax
  * @param {NoReturn} noReturn
  */
-function updateFromDirections(
+export function updateFromDirections(
   grid,
   { pose, ranges },
   { c, s },
   zMax,
   noReturn,
 ) {
-  const { width, height, resolution, originX, originY } = grid.spec;
+  const { resolution, originX, originY } = grid.spec;
   const gx0 = Math.floor((pose.x - originX) / resolution);
   const gy0 = Math.floor((pose.y - originY) / resolution);
   const free = noReturn === "free";
@@ -188,13 +188,28 @@ function updateFromDirections(
     const z = hit ? ranges[i] : zMax;
     const gx1 = Math.floor((pose.x + z * c[i] - originX) / resolution);
     const gy1 = Math.floor((pose.y + z * s[i] - originY) / resolution);
-    const a = Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0));
-    if (!(a <= LONGEST_LINE)) throw new RangeError(`a line of ${a} steps`);
-    const inside = clipRay(gx0, gy0, gx1, gy1, width, height);
-    const last = hit ? Math.min(inside.last, a - 1) : inside.last;
-    updateLine(grid, gx0, gy0, gx1, gy1, inside.first, last);
-    if (hit) grid.updateCell(gx1, gy1, grid.lOcc);
+    updateFromBeam(grid, gx0, gy0, gx1, gy1, hit);
   }
+}
+
+/**
+ * One beam: free from its first cell on, occupied at its last where it hit.
+ *
+ * @param {OccupancyGrid} grid
+ * @param {number} gx0
+ * @param {number} gy0
+ * @param {number} gx1
+ * @param {number} gy1
+ * @param {boolean} hit
+ */
+export function updateFromBeam(grid, gx0, gy0, gx1, gy1, hit) {
+  const { width, height } = grid.spec;
+  const a = Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0));
+  if (!(a <= LONGEST_LINE)) throw new RangeError(`a line of ${a} steps`);
+  const inside = clipRay(gx0, gy0, gx1, gy1, width, height);
+  const last = hit ? Math.min(inside.last, a - 1) : inside.last;
+  updateLine(grid, gx0, gy0, gx1, gy1, inside.first, last);
+  if (hit) grid.updateCell(gx1, gy1, grid.lOcc);
 }
 
 /**

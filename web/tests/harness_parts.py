@@ -26,6 +26,7 @@ __all__ = [
     "full_check",
     "misread_world",
     "seed_of",
+    "with_mistakes",
     "world",
 ]
 
@@ -60,6 +61,11 @@ def world(name: str) -> World:
 def misread_world(mistake: str, name: str) -> World:
     """A scenario of the suite as a program with a mistake in its reading takes it."""
     return world_of(MISTAKES[mistake].reads(case(name)))
+
+
+def with_mistakes(*names: str) -> type[Mapper]:
+    """A mapper with several mistakes at once."""
+    return type("Several", tuple(MISTAKES[name] for name in names), {})
 
 
 def full_check(name: str, pixels: Pixels, seed: int | None = None) -> str:

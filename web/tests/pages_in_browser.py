@@ -72,9 +72,14 @@ def open_page(browser: Browser, pages: Path) -> Iterator[Open]:
     complaints: list[str] = []
     requests: list[str] = []
 
-    def open_(name: str, address: str = "", **options: object) -> Page:
+    def open_(
+        name: str, address: str = "", first: str = "", **options: object
+    ) -> Page:
+        """`first` is a script that runs before the page's own."""
         chosen = {"viewport": {"width": 1280, "height": 1000}, **options}
         page = browser.new_page(**chosen)  # type: ignore[arg-type]
+        if first:
+            page.add_init_script(first)
         page.set_default_timeout(60_000)
         page.on(
             "console",

@@ -19,6 +19,7 @@ from harness_parts import (
     full_check,
     misread_world,
     seed_of,
+    with_mistakes,
     world,
 )
 from pages_in_browser import GOLDEN, ROOT, Open, drop_file
@@ -51,9 +52,12 @@ def read_pgm(path: Path) -> Pixels:
 
 
 def open_check(
-    open_page: Open, scenario: str = "lesson", seed: int | None = None
+    open_page: Open,
+    scenario: str = "lesson",
+    seed: int | None = None,
+    first: str = "",
 ) -> Page:
-    page = open_page("check")
+    page = open_page("check", first=first)
     page.locator("#scenario").select_option(scenario)
     if seed is not None:
         page.locator("#seeded").check()
@@ -185,13 +189,13 @@ def test_a_mistake_in_the_lesson(
     assert "cell gx=1" in page.locator("#readout").inner_text()
 
 
-class TwoMistakes(MISTAKES["hit-also-free"], MISTAKES["off-by-one"]):  # type: ignore[misc]
-    """Both at once, which the page does not try."""
+# Both at once, which the page does not try.
+TWO_MISTAKES = with_mistakes("hit-also-free", "off-by-one")
 
 
 def unknown_pictures() -> Iterator[tuple[str, Pixels]]:
     """Pictures of mistakes that the page does not know, with their scenarios."""
-    yield "asymmetric", TwoMistakes(world("asymmetric"), None).draw().pixels
+    yield "asymmetric", TWO_MISTAKES(world("asymmetric"), None).draw().pixels
     for mistake, scenario in {
         "odometry-for-pose": "odometry",
         "robot-pose-for-laser": "odometry",
@@ -278,6 +282,93 @@ def test_no_more_is_claimed_than_the_full_check_claims(
         if status in ("edges", "halves", "identical"):
             assert full in ("edges", "halves", "identical"), status
     assert {"halves", "differs"} <= seen
+
+
+# Browsers where no worker starts: it is refused, or it fails.
+NO_WORKER = {
+    "refused": """window.Worker = class {
+  constructor() { throw new DOMException("not here", "SecurityError"); }
+};""",
+    "failing": """window.Worker = class extends EventTarget {
+  constructor() { super(); setTimeout(() => this.dispatchEvent(new Event("error"))); }
+  postMessage() {}
+  terminate() {}
+};""",
+}
+
+
+COUNTED = """window.verdicts = window.failures = 0;
+window.Worker = class extends Worker {
+  constructor(address) {
+    super(address);
+    this.addEventListener("message", ({ data }) => { verdicts += data.done; });
+    this.addEventListener("error", () => { failures += 1; });
+  }
+};"""
+
+
+def some_pictures() -> Iterator[tuple[str, Pixels]]:
+    """A right one, one by a known mistake, two that nobody knows, one by another sine; with their scenarios."""
+    name = "asymmetric"
+    right = Mapper(world(name), None).draw().pixels
+    yield name, right
+    yield name, MISTAKES["hit-also-free"](world(name), None).draw().pixels
+    yield name, TWO_MISTAKES(world(name), None).draw().pixels
+    yield name, right[:, 1:]
+    yield "lesson", Mapper(world("lesson"), None, NUMPY).draw().pixels
+
+
+@pytest.mark.parametrize("why", NO_WORKER)
+def test_without_a_worker_the_verdict_is_the_same(
+    open_page: Open, tmp_path: Path, why: str
+) -> None:
+    page = open_check(open_page, first=COUNTED)
+    other = open_check(open_page, first=NO_WORKER[why])
+    statuses: list[str] = []
+    for scenario, pixels in some_pictures():
+        file = write_pgm(tmp_path / f"{len(statuses)}.pgm", pixels)
+        for one in (page, other):
+            one.locator("#scenario").select_option(scenario)
+        status, words = verdict(page, file)
+        # a worker that fails would leave its work to the page, too
+        assert page.evaluate("verdicts > 0 && failures === 0")
+        assert verdict(other, file) == (status, words)
+        statuses.append(status)
+        assert page.locator("#working").is_hidden()
+        assert other.locator("#working").is_hidden()
+    assert statuses == ["identical", "differs", "differs", "size", "edges"]
+    assert page.workers == other.workers == []
+
+
+NEVER_DONE = """window.Worker = class extends Worker {
+  addEventListener(type, listener) {
+    super.addEventListener(type, (event) => { if (!event.data?.done) listener(event); });
+  }
+};"""
+
+
+def test_what_is_known_is_shown_at_once_and_the_search_can_be_stopped(
+    open_page: Open, tmp_path: Path
+) -> None:
+    page = open_check(open_page, "asymmetric", first=NEVER_DONE)
+    pixels = MISTAKES["hit-also-free"](world("asymmetric"), None).draw().pixels
+    page.set_input_files("#file", write_pgm(tmp_path / "a.pgm", pixels))
+    page.locator("#verdict", has_text="differs in ").wait_for()
+    page.locator("#next").click()
+    shown = page.locator("#readout").inner_text()
+    doing = page.locator("#doing")
+    assert doing.inner_text() == "Trying known mistakes …"
+    assert doing.get_attribute("role") == "status"
+    page.wait_for_function("document.querySelector('#progress').value === 1")
+    assert page.locator("#verdict").get_attribute("data-status") == "working"
+    page.locator("#stop").press("Enter")
+    box = page.locator("#verdict[data-status=differs]")
+    assert "You stopped the search for known mistakes." in box.inner_text()
+    assert page.evaluate("document.activeElement.id") == "verdict-title"
+    assert page.locator("#working").is_hidden()
+    # the cell that was looked at stays
+    assert page.locator("#readout").inner_text() == shown
+    assert page.workers == []
 
 
 SYMMETRIES = {

@@ -13,6 +13,7 @@ from harness_parts import (
     SEED,
     Mapper,
     seed_of,
+    with_mistakes,
     world,
 )
 from pages_in_browser import ROOT, Open
@@ -100,13 +101,10 @@ def test_a_switch_is_moved_and_a_cell_read(open_page: Open) -> None:
     """By the page's own controls: two mistakes at once, and both values under the mouse."""
     page = open_scenario(open_page, "asymmetric")
     drawn_world = world("asymmetric")
-
-    class Both(MISTAKES["hit-also-free"], MISTAKES["bearings-clockwise"]):  # type: ignore[misc]
-        """Two mistakes in one program."""
-
+    names = ("hit-also-free", "bearings-clockwise")
     right = Mapper(drawn_world, SEED).draw()
-    wrong = Both(drawn_world, SEED).draw()
-    for name in ("hit-also-free", "bearings-clockwise"):
+    wrong = with_mistakes(*names)(drawn_world, SEED).draw()
+    for name in names:
         page.locator(f"[data-mistake={name}]").check()
     page.locator(
         "#difference-words",

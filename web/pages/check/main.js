@@ -1,8 +1,6 @@
 /** check.html: a map from a file, held against the right one. */
 
 import offered from "scenarios:offered";
-import { memorySource } from "../../src/lines.js";
-import { readScenario } from "../../src/scenario.js";
 import { cellsOf } from "../model/compareMaps.js";
 import { FileError, readMapFile } from "../model/readFiles.js";
 import {
@@ -12,13 +10,14 @@ import {
   input,
   make,
   onceAFrame,
-  plural,
   save,
   setText,
   takeFiles,
 } from "../shared/dom.js";
 import { GridCanvas } from "../shared/gridCanvas.js";
-import { judge } from "./verdict.js";
+import { plural } from "../shared/words.js";
+import { worldOf } from "./judgeFile.js";
+import { startJudging } from "./judging.js";
 
 /** @typedef {import("./verdict.js").Verdict} Verdict */
 /** @typedef {import("../model/compareMaps.js").Found} Found */
@@ -31,18 +30,12 @@ choice.append(
   ),
 );
 
-/** What was checked last. @type {{found: Found, verdict: Verdict, at: Cell | null} | null} */
+/** What is shown. @type {{found: Found, verdict: Verdict, at: Cell | null} | null} */
 let shownNow = null;
 /** @type {{name: string, bytes: Uint8Array} | null} */
 let file = null;
-let run = 0;
-
-function world() {
-  const source = memorySource(`${choice.value}.log`, offered[choice.value]);
-  const scenario = readScenario(source);
-  const scans = Array.from(scenario.scans());
-  return { settings: scenario.settings, walls: scenario.walls, scans };
-}
+/** Gives up the judging that is under way. */
+let stop = () => {};
 
 /** @returns {number | null} */
 function seed() {
@@ -51,18 +44,25 @@ function seed() {
     : input("seed").valueAsNumber >>> 0;
 }
 
-/** @param {"good" | "note" | "bad"} tone @param {string[]} words @param {string} status */
-function say(tone, words, status = "working") {
+/** Paragraphs that are there already stay: they need not be read out again. @param {"good" | "note" | "bad"} tone @param {string[]} words @param {string} status */
+function say(tone, words, status) {
   const verdict = element("verdict");
   verdict.dataset.status = status;
   verdict.className = `verdict ${tone}`;
-  verdict.replaceChildren(...words.map((text) => make("p", {}, text)));
+  while (verdict.children.length > words.length) {
+    verdict.lastElementChild?.remove();
+  }
+  words.forEach((text, i) => {
+    if (i < verdict.children.length) setText(verdict.children[i], text);
+    else verdict.append(make("p", {}, text));
+  });
 }
 
-async function check() {
-  const mine = ++run;
+function check() {
+  stop();
   if (file === null) return;
-  say("note", ["Reading …"]);
+  say("note", ["Comparing …"], "working");
+  element("working").hidden = true;
   element("result").hidden = false;
   const mode = seed() === null ? "without noise" : `with seed ${seed()}`;
   setText(
@@ -79,18 +79,50 @@ async function check() {
     say("bad", ["cannot be read", error.message], "unreadable");
     return;
   }
-  const verdict = await judge(found, world(), seed(), (words) => {
-    if (mine === run) say("note", [words]);
-  });
-  if (mine !== run) return; // another file or scenario by now
-  say(verdict.tone, verdict.words, verdict.status);
+  const job = { found, name: choice.value, text: offered[choice.value] };
+  stop = startJudging(
+    { ...job, seed: seed() },
+    ({ doing, part, known }) => {
+      element("working").hidden = false;
+      setText(element("doing"), `${doing} …`);
+      byId("progress", HTMLProgressElement).value = part;
+      if (known) show(found, known, "working");
+    },
+    (verdict) => {
+      element("working").hidden = true;
+      show(found, verdict, verdict.status);
+    },
+  );
+}
+
+/** @param {Found} found @param {Verdict} verdict @param {string} status */
+function show(found, verdict, status) {
+  const { tone, words, wrong, reference } = verdict;
+  say(tone, words, status);
   const sameSize =
     verdict.status !== "size" &&
-    cellsOf(found).values.length === verdict.reference.pixels.length;
-  shownNow = { found, verdict, at: null };
-  element("figures").hidden = !sameSize || verdict.wrong.length === 0;
-  if (verdict.wrong.length > 0) step(1);
+    cellsOf(found).values.length === reference.pixels.length;
+  shownNow = { found, verdict, at: shownNow?.at ?? null };
+  element("figures").hidden = !sameSize || wrong.length === 0;
+  if (wrong.length > 0 && shownNow.at === null) step(1);
   draw();
+}
+
+/** The reader has seen enough. */
+function giveUp() {
+  stop();
+  element("working").hidden = true;
+  if (shownNow === null) {
+    say("note", ["You stopped before there was a verdict."], "stopped");
+  } else {
+    const { found, verdict } = shownNow;
+    const words = [
+      ...verdict.words,
+      "You stopped the search for known mistakes.",
+    ];
+    show(found, { ...verdict, words }, verdict.status);
+  }
+  element("verdict-title").focus();
 }
 
 // --- the pictures ---
@@ -186,7 +218,7 @@ const rightView = viewOf("right-view");
 // --- the controls ---
 
 function choose() {
-  const { settings, scans } = world();
+  const { settings, scans } = worldOf(choice.value, offered[choice.value]);
   setText(
     element("scenario-words"),
     `${settings.width} x ${settings.height} cells of ${settings.resolution} m, ${plural(scans.length, "scan")}.`,
@@ -210,6 +242,7 @@ input("seed").addEventListener("change", () => {
 button("save-scenario").addEventListener("click", () =>
   save(`${choice.value}.log`, offered[choice.value]),
 );
+button("stop").addEventListener("click", giveUp);
 button("next").addEventListener("click", () => step(1));
 button("previous").addEventListener("click", () => step(-1));
 input("colour").addEventListener("change", draw);

@@ -1,4 +1,7 @@
-/** What the page says about a file, put together from the comparisons. It never says more than they show. */
+/**
+ * What the page says about a file, put together from the comparisons. It never says more than they show. Some take
+ * seconds, so they are made step by step.
+ */
 
 import {
   differing,
@@ -11,7 +14,7 @@ import {
   tryMistakes,
 } from "../model/compareMaps.js";
 import { explainByRounding } from "../model/sides.js";
-import { counted, plural } from "../shared/dom.js";
+import { counted, plural } from "../shared/words.js";
 
 /** @typedef {import("../model/mistakenMapper.js").World} World */
 /** @typedef {import("../model/compareMaps.js").Found} Found */
@@ -26,26 +29,21 @@ import { counted, plural } from "../shared/dom.js";
  * @property {Reference} reference
  */
 
-const MOST_AT_A_TIME = 40; // milliseconds
-let breathed = 0;
-
-/** Lets the page answer in between, now and then. */
-async function breathe() {
-  if (performance.now() - breathed < MOST_AT_A_TIME) return;
-  await new Promise((resolve) => setTimeout(resolve, 0));
-  breathed = performance.now();
-}
+/**
+ * @typedef {object} Step
+ * @property {string} doing what comes next
+ * @property {number} part how much of it is done, from 0 to 1
+ * @property {Verdict} [known] the verdict, but for mistakes that draw the same map
+ */
 
 /**
  * @param {Found} found
  * @param {World} world
  * @param {number | null} seed
- * @param {(words: string) => void} progress
- * @returns {Promise<Verdict>}
+ * @returns {Generator<Step, Verdict>}
  */
-export async function judge(found, world, seed, progress) {
-  progress("Drawing the right map …");
-  await breathe();
+export function* judge(found, world, seed) {
+  yield { doing: "Drawing the right map", part: 0 };
   const reference = referenceOf(world, seed);
   const what = "picture" in found ? "picture" : "log-odds";
   const { width, height } = reference;
@@ -72,8 +70,8 @@ export async function judge(found, world, seed, progress) {
       `flipped or transposed`,
       `Your map is exactly the right one, ${turned.join(", or ")}.`,
     ];
-    words.push(...(await mistakes(found, world, seed, progress)));
-    return { ...base, status: "turned", tone: "bad", words };
+    const known = verdict("turned", words, base);
+    return yield* withMistakes(known, found, world, seed);
   }
   if (!sameSize) {
     const words = [
@@ -85,11 +83,10 @@ export async function judge(found, world, seed, progress) {
         "Width and height are exchanged, but the cells differ as well.",
       );
     }
-    words.push(...(await mistakes(found, world, seed, progress)));
-    return { ...base, status: "size", tone: "bad", words };
+    const known = verdict("size", words, base);
+    return yield* withMistakes(known, found, world, seed);
   }
-  progress("Looking at beams that rounding decides …");
-  await breathe();
+  yield { doing: "Looking at beams that rounding decides", part: 0 };
   const explained =
     "picture" in found
       ? explainByRounding(world, seed, fromBelow(found.picture))
@@ -105,6 +102,7 @@ export async function judge(found, world, seed, progress) {
       "All of them differ by less than 0.000000001, so it may be another logarithm's last bits and nothing more. This page does not follow that up for log-odds; the full check does.",
     );
   }
+  yield { doing: "Looking at maps of fewer scans", part: 0 };
   const other = otherMode(found, world, seed);
   const prefix = prefixThatFits(found, world, seed);
   if (other !== null) {
@@ -118,8 +116,18 @@ export async function judge(found, world, seed, progress) {
   } else {
     words.push(...trouble(wrong, reference));
   }
-  words.push(...(await mistakes(found, world, seed, progress)));
-  return { ...base, status: "differs", tone: "bad", words };
+  const known = verdict("differs", words, base);
+  return yield* withMistakes(known, found, world, seed);
+}
+
+/**
+ * @param {Verdict["status"]} status
+ * @param {string[]} words
+ * @param {{wrong: number[], reference: Reference}} base
+ * @returns {Verdict}
+ */
+function verdict(status, words, base) {
+  return { ...base, status, tone: "bad", words };
 }
 
 /** @param {NonNullable<ReturnType<typeof explainByRounding>>} explained @param {number} count */
@@ -196,25 +204,32 @@ function differOnlyInLastBits({ logOdds }, reference, wrong) {
 }
 
 /**
+ * A verdict, with the mistakes that draw the same map.
+ *
+ * @param {Verdict} known
  * @param {Found} found
  * @param {World} world
  * @param {number | null} seed
- * @param {(words: string) => void} progress
+ * @returns {Generator<Step, Verdict>}
  */
-async function mistakes(found, world, seed, progress) {
+function* withMistakes(known, found, world, seed) {
+  const doing = "Trying known mistakes";
+  yield { doing, part: 0, known };
   const same = [];
   for (const step of tryMistakes(found, world, seed)) {
     if (step.same) same.push(step.same);
-    progress(`Trying known mistakes: ${step.tried} of ${step.of} …`);
-    await breathe();
+    yield { doing, part: step.tried / step.of };
   }
+  const words = [...known.words];
   if (same.length === 0) {
-    return ["None of the mistakes that this page knows draws this map."];
+    words.push("None of the mistakes that this page knows draws this map.");
+  } else {
+    words.push(
+      same.length === 1
+        ? "A known mistake draws exactly this map:"
+        : "Known mistakes draw exactly this map:",
+      ...same.map(({ title, lesson }) => `• ${title}. ${lesson}`),
+    );
   }
-  const what =
-    same.length === 1 ? "A known mistake draws" : "Known mistakes draw";
-  return [
-    `${what} exactly this map:`,
-    ...same.map(({ title, lesson }) => `• ${title}. ${lesson}`),
-  ];
+  return { ...known, words };
 }

@@ -4,7 +4,7 @@ import { updateGridFromScans } from "../../src/fast.js";
 import { simulatedScans } from "../../src/mapper.js";
 import { pixel } from "../../src/mapWriter.js";
 import { newGrid, Scenario } from "../../src/scenario.js";
-import { MistakenMapper } from "./mistakenMapper.js";
+import { ManyMistakes } from "./manyMistakes.js";
 import { MISTAKES } from "./mistakes.js";
 
 /** @typedef {import("./mistakenMapper.js").World} World */
@@ -214,8 +214,9 @@ export function* tryMistakes(found, world, seed) {
     ({ name }) => seed !== null || !/^(noise-|no-noise)/.test(name),
   );
   const size = sizeOf(found);
+  const maps = new ManyMistakes(world, seed);
   for (const [i, mistake] of all.entries()) {
-    const drawn = new MistakenMapper(world, seed, [mistake]).draw();
+    const drawn = maps.draw(mistake);
     const right = "picture" in found ? drawn.picture : drawn.logOdds;
     const values =
       "picture" in found ? found.picture.pixels : found.logOdds.values;

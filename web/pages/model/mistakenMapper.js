@@ -18,6 +18,7 @@ import { Pose, raySegmentIntersection } from "../../src/world.js";
 /** @typedef {{gx: number, gy: number, occupied: boolean}} Update */
 /** @typedef {{width: number, height: number, pixels: Uint8Array}} Picture its rows from the top */
 /** @typedef {{width: number, height: number, values: Float64Array}} LogOdds the rows of the file */
+/** @typedef {{from: Cell, beams: {to: Cell, hit: boolean}[]}} Beams of a scan */
 /** @typedef {ReturnType<typeof contractSteps>} Steps */
 /** @typedef {{name: string, title: string, lesson: string, plant: (steps: Steps) => void}} Mistake */
 
@@ -151,6 +152,11 @@ export function contractSteps({ settings, walls, scans }) {
   return steps;
 }
 
+/** @param {Steps} steps @returns {(keyof Steps)[]} */
+function stepNames(steps) {
+  return /** @type {(keyof Steps)[]} */ (Object.keys(steps));
+}
+
 /** Maps a world scan by scan, with mistakes. */
 export class MistakenMapper {
   /**
@@ -162,7 +168,12 @@ export class MistakenMapper {
     this.world = world;
     this.seed = seed;
     this.steps = contractSteps(world);
+    const right = { ...this.steps };
     for (const mistake of mistakes) mistake.plant(this.steps);
+    /** The steps that are not the contract's. */
+    this.changed = stepNames(right).filter(
+      (name) => this.steps[name] !== right[name],
+    );
     this.bearings = this.steps.bearings();
   }
 
@@ -181,33 +192,50 @@ export class MistakenMapper {
   add(logOdds, number) {
     const { steps } = this;
     const [free, occupied] = steps.deltas();
-    const update = (
+    for (const update of this.updates(number)) {
+      const at = update >> 1;
+      logOdds[at] = steps.clamp(logOdds[at] + (update & 1 ? occupied : free));
+    }
+  }
+
+  /**
+   * The updates of a scan, in order: twice the cell's place, and one more where it is occupied. Lists of numbers are
+   * quicker than lists of objects.
+   *
+   * @param {number} number
+   * @returns {Iterable<number>}
+   */
+  updates(number) {
+    const { steps } = this;
+    /** @type {number[]} */
+    const updates = [];
+    const add = (
       /** @type {Cell} */ { gx, gy },
-      /** @type {boolean} */ hit,
+      /** @type {boolean} */ occupied,
     ) => {
       const at = steps.place(gx, gy);
-      if (at >= 0) {
-        logOdds[at] = steps.clamp(logOdds[at] + (hit ? occupied : free));
-      }
+      if (at >= 0) updates.push(2 * at + (occupied ? 1 : 0));
     };
-    if (steps.evidence === allCells && steps.withinScan === allUpdates) {
-      // the same without a list of updates, which takes most of the time
-      for (const { line, hit } of this.lines(number)) {
-        const { cells, last } = line;
-        for (let k = 0; k < cells.length; k++) {
-          update(cells[k], hit && k === last);
-        }
-      }
-      return;
-    }
+    const whole = steps.evidence === allCells;
     /** @type {Update[]} */
-    const updates = [];
+    const listed = [];
     for (const { line, hit } of this.lines(number)) {
-      for (const [k, isOccupied] of steps.evidence(line, hit)) {
-        updates.push({ ...line.cells[k], occupied: isOccupied });
+      const { cells, last } = line;
+      if (whole && steps.withinScan === allUpdates) {
+        // the same without a list
+        cells.forEach((cell, k) => {
+          add(cell, hit && k === last);
+        });
+        continue;
+      }
+      // not taken apart as [k, isOccupied], which takes twice as long
+      for (const one of steps.evidence(line, hit)) {
+        const { gx, gy } = cells[one[0]];
+        listed.push({ gx, gy, occupied: one[1] });
       }
     }
-    for (const one of steps.withinScan(updates)) update(one, one.occupied);
+    for (const one of steps.withinScan(listed)) add(one, one.occupied);
+    return updates;
   }
 
   /**
@@ -217,10 +245,29 @@ export class MistakenMapper {
    */
   lines(number) {
     const { steps } = this;
+    const { from, beams } = this.beams(number);
+    let most = 0;
+    for (const { to } of beams) {
+      const span = Math.abs(to.gx - from.gx) + Math.abs(to.gy - from.gy);
+      most = Math.max(most, 2 * span + 1);
+    }
+    return beams.map(({ to, hit }) => ({
+      line: steps.line(from, to, most),
+      hit,
+    }));
+  }
+
+  /**
+   * The beams of a scan that say anything: their first cell, and the last cell of each.
+   *
+   * @param {number} number
+   * @returns {Beams}
+   */
+  beams(number) {
+    const { steps } = this;
     const { pose, angles, ranges } = this.scan(number);
     const from = steps.toGrid(pose.x, pose.y);
     const beams = [];
-    let most = 0;
     for (let i = 0; i < ranges.length; i++) {
       const { z, hit, used } = steps.read(ranges[i]);
       if (!used) continue;
@@ -229,13 +276,8 @@ export class MistakenMapper {
       const to = steps.toGrid(end.x, end.y);
       if (!steps.kept(from, to)) continue;
       beams.push({ to, hit });
-      const span = Math.abs(to.gx - from.gx) + Math.abs(to.gy - from.gy);
-      most = Math.max(most, 2 * span + 1);
     }
-    return beams.map(({ to, hit }) => ({
-      line: steps.line(from, to, most),
-      hit,
-    }));
+    return { from, beams };
   }
 
   /** @param {number} number @returns {Scan} */

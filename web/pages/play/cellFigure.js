@@ -8,11 +8,10 @@ import {
   element,
   input,
   make,
-  plural,
   ShownWidth,
   setText,
-  shown,
 } from "../shared/dom.js";
+import { plural, shown } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("../model/cellHistory.js").CellUpdate} CellUpdate */

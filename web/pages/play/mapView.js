@@ -2,8 +2,9 @@
 
 import { sigmoid } from "../../src/grid.js";
 import { pixel } from "../../src/mapWriter.js";
-import { colour, element, input, setText, shown } from "../shared/dom.js";
+import { colour, element, input, setText } from "../shared/dom.js";
 import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
+import { shown } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("./lab.js").Cell} Cell */

@@ -2,16 +2,9 @@
 
 import { sigmoid } from "../../src/grid.js";
 import { MISTAKES } from "../model/mistakes.js";
-import {
-  byId,
-  counted,
-  element,
-  input,
-  make,
-  plural,
-  setText,
-} from "../shared/dom.js";
+import { byId, element, input, make, setText } from "../shared/dom.js";
 import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
+import { counted, plural } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("./lab.js").Cell} Cell */

@@ -15,11 +15,11 @@ import {
   element,
   input,
   make,
-  plural,
   save,
   setText,
   takeFiles,
 } from "../shared/dom.js";
+import { plural } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 

@@ -1,8 +1,9 @@
 /** The world: walls, path, robot and beams; the robot and the walls can be dragged. */
 
 import { Pose, Segment } from "../../src/world.js";
-import { button, colour, element, setText, shown } from "../shared/dom.js";
+import { button, colour, element, setText } from "../shared/dom.js";
 import { GridCanvas } from "../shared/gridCanvas.js";
+import { shown } from "../shared/words.js";
 import { endsOf } from "./lab.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
