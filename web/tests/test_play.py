@@ -46,10 +46,11 @@ def saved_scenario(page: Page, folder: Path) -> str:
 
 
 def words(page: Page, name: str) -> str:
-    """A text, after the frame that draws what was done last."""
+    """A text, after the frames that map and draw what was done last."""
     page.evaluate(
         "new Promise(r => requestAnimationFrame(() => requestAnimationFrame(r)))"
     )
+    page.wait_for_function("!occgridPage.busy()")
     return page.locator(f"#{name}").inner_text()
 
 

@@ -1,10 +1,8 @@
 /** What all figures show: a world, a moment, and what the reader has done to them. */
 
-import { updateGridFromScans } from "../../src/fast.js";
 import { lessonScenario } from "../../src/lesson.js";
-import { simulatedScans } from "../../src/mapper.js";
 import { addRangeNoise } from "../../src/noise.js";
-import { newGrid, Scenario, Settings } from "../../src/scenario.js";
+import { newGrid, Settings } from "../../src/scenario.js";
 import {
   beamAngles,
   beamEndpoints,
@@ -14,12 +12,20 @@ import {
 import { Pose, simulateLidarScan } from "../../src/world.js";
 import { MistakenMapper } from "../model/mistakenMapper.js";
 import { MISTAKES } from "../model/mistakes.js";
+import { Run } from "../model/run.js";
 import { Timeline } from "../model/timeline.js";
 
 /** @typedef {import("../model/mistakenMapper.js").World} World */
 /** @typedef {import("../../src/world.js").Segment} Segment */
 /** @typedef {{gx: number, gy: number}} Cell */
 /** @typedef {import("../shared/gridCanvas.js").Pad} Pad */
+/**
+ * @typedef {object} Moment what a map shows
+ * @property {Run} run
+ * @property {number} scan the scan that is being added, from 1
+ * @property {number} beam how many of its beams have been added
+ * @property {Scan | null} added a scan on top, from where the reader has put the robot
+ */
 
 /** So many cells are shown beyond a path that leaves the grid. */
 const ROOM = 5;
@@ -51,12 +57,10 @@ export class Lab {
 
   /** @type {World} */
   world;
+  /** Its scans, and the map after each. @type {Run} */
+  run;
   /** Where each scan is taken. @type {Pose[]} */
   poses = [];
-  /** The scans that have been needed so far, and where the others come from. @type {Scan[]} */
-  #scans = [];
-  /** @type {Iterator<Scan>} */
-  #more = [][Symbol.iterator]();
   /** What the pictures show around the grid. @type {Pad} */
   pad = { left: 0, right: 0, bottom: 0, top: 0 };
 
@@ -67,9 +71,14 @@ export class Lab {
       walls: lesson.walls,
       scans: Array.from(lesson.scans()),
     };
-    this.grid = newGrid(lesson.settings);
+    this.run = new Run(this.world, this.seed);
     this.#changed();
     this.beam = this.beams;
+  }
+
+  /** A grid like that of the map. */
+  get grid() {
+    return this.run.grid;
   }
 
   /** How many beams the current scan has. */
@@ -84,18 +93,12 @@ export class Lab {
 
   /** A scan with its ranges, which are simulated when they are first needed. @param {number} number from 0 @returns {Scan} */
   scanAt(number) {
-    while (this.#scans.length <= number) {
-      const next = this.#more.next();
-      if (next.done) throw new RangeError(`no scan ${number}`);
-      this.#scans.push(next.value);
-    }
-    return this.#scans[number];
+    return this.run.scans.at(number);
   }
 
   /** All scans. */
   get scans() {
-    this.scanAt(this.count - 1);
-    return this.#scans;
+    return this.poses.map((_, number) => this.scanAt(number));
   }
 
   /** @param {World} world @param {string} name */
@@ -109,6 +112,7 @@ export class Lab {
     const { width, height } = world.settings;
     this.cell = { gx: width >> 1, gy: height >> 1 };
     this.#changed();
+    this.#coming = null;
     this.beam = this.beams;
   }
 
@@ -144,28 +148,12 @@ export class Lab {
   }
 
   #changed() {
-    const { settings, walls, scans } = this.world;
-    const { maxRange, noReturn } = settings;
     this.version += 1;
-    const scenario = new Scenario(this.name, settings, walls, scans);
-    this.poses = scans.map((scan) =>
+    this.poses = this.world.scans.map((scan) =>
       scan instanceof Pose ? scan : scan.pose,
     );
-    this.#scans = [];
-    this.#more = simulatedScans(scenario, this.seed);
+    this.run = new Run(this.world, this.seed, this.run);
     this.scan = Math.min(this.scan, this.count);
-    // one grid, whose cells are laid over the timeline's
-    const grid = newGrid(settings);
-    this.grid = grid;
-    this.timeline = new Timeline(
-      this.count,
-      grid.logOdds.slice(),
-      (values, number) => {
-        grid.logOdds.set(values);
-        updateGridFromScans(grid, [this.scanAt(number)], maxRange, noReturn);
-        values.set(grid.logOdds);
-      },
-    );
     this.#wrong = null;
     this.pad = this.#padOf();
   }
@@ -243,26 +231,51 @@ export class Lab {
     return new Scan(pose, angles, ranges);
   }
 
-  /** The map now, and the map before what the scan in view has done. */
-  maps() {
-    const { maxRange, noReturn } = this.world.settings;
-    const { grid } = this;
-    const add = (/** @type {Scan} */ scan) =>
-      updateGridFromScans(grid, [scan], maxRange, noReturn);
-    const timeline = /** @type {Timeline} */ (this.timeline);
-    let before = timeline.at(this.scan - 1).slice();
-    grid.logOdds.set(before);
-    const { pose, angles, ranges } = this.scanAt(this.scan - 1);
-    const part = [
-      angles.subarray(0, this.beam),
-      ranges.subarray(0, this.beam),
-    ];
-    add(new Scan(pose, part[0], part[1]));
-    if (this.free !== null) {
-      before = grid.logOdds.slice();
-      add(this.inView());
+  /** @returns {Moment} */
+  get moment() {
+    const { run, scan, beam } = this;
+    const added = this.free === null ? null : this.inView();
+    return { run, scan, beam, added };
+  }
+
+  /** The map now, and the map before what the scan in view has done; both are overwritten by the next call. */
+  maps({ run, scan, beam, added } = this.moment) {
+    return run.maps(scan, beam, added);
+  }
+
+  /** The moment that is being mapped. @type {Moment | null} */
+  #coming = null;
+
+  /**
+   * Maps for a while, towards the moment of now; or of an earlier call, where that is not done yet. So the map follows a
+   * hand that changes the walls again before it is done, too.
+   *
+   * @param {number} time milliseconds
+   * @returns {Moment | null} the moment whose map is done; null while it is not
+   */
+  mapOn(time) {
+    const now = this.moment;
+    let coming = this.#coming ?? now;
+    // the same run comes to the moment of now as soon; and a map of other cells has no place in the picture
+    if (coming.run === now.run || !sameCells(coming.run, now.run)) {
+      coming = now;
     }
-    return { before, now: grid.logOdds };
+    const { run, scan } = coming;
+    const done = run.timeline.reach(scan - 1, performance.now() + time);
+    this.#coming = done ? null : coming;
+    return done ? coming : null;
+  }
+
+  /** Whether a moment is that of now. @param {Moment | null} moment */
+  isNow(moment) {
+    const now = this.moment;
+    return (
+      moment !== null &&
+      moment.run === now.run &&
+      moment.scan === now.scan &&
+      moment.beam === now.beam &&
+      moment.added === now.added
+    );
   }
 
   /** @type {{key: string, mapper: MistakenMapper, timeline: Timeline} | null} */
@@ -275,7 +288,7 @@ export class Lab {
    */
   compared() {
     const scans = this.beam === this.beams ? this.scan : this.scan - 1;
-    const right = /** @type {Timeline} */ (this.timeline).at(scans);
+    const right = this.run.timeline.at(scans);
     if (this.mistakes.size === 0) return { scans, right, wrong: null };
     const key = Array.from(this.mistakes).join(" ");
     if (this.#wrong?.key !== key) {
@@ -285,10 +298,9 @@ export class Lab {
         this.seed,
         chosen.filter((mistake) => mistake !== undefined),
       );
-      const timeline = new Timeline(
-        this.count,
-        mapper.start(),
-        (values, number) => mapper.add(values, number),
+      const map = mapper.start();
+      const timeline = new Timeline(this.count, map, (number) =>
+        mapper.add(map, number),
       );
       this.#wrong = { key, mapper, timeline };
     }
@@ -306,6 +318,17 @@ export class Lab {
     );
     return endsOf(this.grid, one, this.world.settings)[0] ?? null;
   }
+}
+
+/** Whether two runs have the same grid. @param {Run} one @param {Run} other */
+function sameCells({ world: { settings: a } }, { world: { settings: b } }) {
+  return (
+    a.width === b.width &&
+    a.height === b.height &&
+    a.resolution === b.resolution &&
+    a.originX === b.originX &&
+    a.originY === b.originY
+  );
 }
 
 /**

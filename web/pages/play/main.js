@@ -21,9 +21,12 @@ const start = lab.cell;
 /** How long the page waits for more, in milliseconds, before it does what takes longer. */
 const PAUSE = 120;
 
+/** How long a frame maps, in milliseconds; of the 16 between two frames the figures need some, too. */
+const MAPPING = 7;
+
 const changed = onceAFrame(() => {
-  draw(Object.values(live));
-  if (lab.version === calmVersion) draw(Object.values(calm));
+  frame();
+  if (lab.version === calmVersion && !busy) draw(Object.values(calm));
   else if (lab.version !== seenVersion) calmDown(drawCalm);
   seenVersion = lab.version;
   if (!lab.playing) quiet(settle);
@@ -32,12 +35,25 @@ const changed = onceAFrame(() => {
 /** The figures that follow every frame. */
 const live = {
   world: new WorldView(lab, changed),
-  map: new MapView(lab, changed),
   transport: new Transport(lab, changed),
   settings: new SettingsPanel(lab, changed),
   walls: new WorldPanel(lab, changed),
   line: new LineFigure(lab, changed),
 };
+/** The map follows too, where it is mapped in time; else it shows the newest moment that is. */
+const map = new MapView(lab, changed);
+let busy = false;
+
+/** Draws what follows every frame. */
+function frame() {
+  const done = lab.mapOn(MAPPING);
+  draw(Object.values(live));
+  if (done) map.show(done);
+  busy = !lab.isNow(done);
+  element("map-words").setAttribute("aria-busy", `${busy}`);
+  if (busy) changed();
+}
+
 /** Those that need the whole run: while a wall or a slider is dragged, they wait. */
 const calm = {
   cell: new CellFigure(lab, changed),
@@ -101,12 +117,14 @@ follow();
 Object.assign(window, {
   occgridPage: {
     lab,
-    figures: { ...live, ...calm },
+    figures: { ...live, map, ...calm },
     mistakes: Array.from(MISTAKES.keys()),
-    /** What every frame draws. */
-    draw: () => draw(Object.values(live)),
+    frame,
+    /** Whether the map is still to come. */
+    busy: () => busy,
     render: () => {
       draw(Object.values(live));
+      map.show(lab.moment);
       drawCalm();
     },
     hash: () => hashOfMap(lab.maps().now),

@@ -8,6 +8,7 @@ import { shown } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("./lab.js").Cell} Cell */
+/** @typedef {import("./lab.js").Moment} Moment */
 
 export class MapView {
   #grey = new GreyLevels();
@@ -36,11 +37,12 @@ export class MapView {
     input("show-changes").addEventListener("change", changed);
   }
 
-  render() {
+  /** Draws the map of a moment: of the newest one that is mapped. @param {Moment} moment */
+  show(moment) {
     const { lab, view } = this;
-    const { settings } = lab.world;
+    const { settings } = moment.run.world;
     const { width, height } = settings;
-    const { before, now } = lab.maps();
+    const { before, now } = lab.maps(moment);
     const grey = this.#grey.of(now);
     const marks = input("show-changes").checked;
     let freed = 0;
@@ -71,7 +73,8 @@ export class MapView {
     });
     view.frame(lab.cell, "#6d28d9");
     if (lab.cursor) view.frame(lab.cursor, "#d9480f");
-    const { x, y } = lab.free ?? lab.poses[lab.scan - 1];
+    const { x, y } = (moment.added ?? moment.run.scans.at(moment.scan - 1))
+      .pose;
     const robot = view.at(
       (x - settings.originX) / settings.resolution,
       (y - settings.originY) / settings.resolution,
