@@ -7,6 +7,7 @@ import re
 from occgrid_parity.check.levels import BAD_INPUT
 from occgrid_parity.check.verdict import Level
 from occgrid_parity.check.wording import listed
+from occgrid_parity.processes.limits import LOST
 from occgrid_parity.programs.runner import Outcome, Runner
 from occgrid_parity.suite.cases import Case, scenario_folder
 
@@ -27,9 +28,11 @@ def check_bad_input(runner: Runner) -> tuple[Level, int]:
     wrong: dict[str, list[str]] = {}
     cases = bad_cases()
     for case, line in cases:
-        problem = _problem(
-            runner.run(case, runner.plain_mode), case.name, line
-        )
+        outcome = runner.run(case, runner.plain_mode)
+        if outcome.word == LOST:
+            level = Level(*BAD_INPUT, "failed", LOST, outcome.message)
+            return level, len(cases)
+        problem = _problem(outcome, case.name, line)
         if problem:
             wrong.setdefault(problem, []).append(f"{case.name}.log")
     if not wrong:

@@ -33,6 +33,7 @@ from occgrid_parity.course.submission_task import (
     handed_out_unrun,
 )
 from occgrid_parity.formats.archive import NOTHING, ArchiveError, pack
+from occgrid_parity.processes.limits import LOST
 from occgrid_parity.processes.pool import side_by_side
 from occgrid_parity.processes.progress import Progress
 from occgrid_parity.processes.turns import Turns, at_most
@@ -177,7 +178,7 @@ class ClassRun:
         try:
             checked = work(task, stop)
         except WorkerLost as error:
-            checked = handed_out_unrun(task, "lost", str(error))
+            checked = handed_out_unrun(task, LOST, str(error))
         self._keep(checked, digest)
 
     def _keep(self, checked: Checked, digest: str) -> None:

@@ -41,7 +41,7 @@ from occgrid_parity.course.verdict_merging import (
 )
 from occgrid_parity.formats.archive import Archive, unpack
 from occgrid_parity.ports.port_file import DECLARATION, PortError
-from occgrid_parity.processes.limits import Limits
+from occgrid_parity.processes.limits import LOST, Limits
 from occgrid_parity.processes.process_group import Stopped
 from occgrid_parity.processes.wall import Sandbox, Wall, find_wall
 from occgrid_parity.programs.program import Program
@@ -62,7 +62,7 @@ HIDDEN = "hidden scenario"
 SEEDED = ("seeds", "noise of the instructor's seeds")
 NOISY = ("asymmetric", TWIN, LESSON)
 SKIPPED = "skipped"
-NOT_ITS_FAULT = ("harness error", "lost", SKIPPED)
+NOT_ITS_FAULT = ("harness error", LOST, SKIPPED)
 """Words that say nothing about a submission: it is checked again the next time."""
 
 
@@ -119,7 +119,7 @@ class Checked:
     @property
     def is_final(self) -> bool:
         """Whether the verdict is about the submission, and not about the machine that checked it."""
-        return self.word not in NOT_ITS_FAULT
+        return all(x.word not in NOT_ITS_FAULT for x in self.verdict.levels)
 
 
 def check_task(task: Task) -> Checked:

@@ -31,6 +31,9 @@ LIBRARY = re.compile(
     r"/lib(?:64)?/python[0-9.]*/|/Python[0-9.]*/Lib/|/site-packages/|^<"
 )
 
+LOST = "lost"
+"""The word of a run of which nobody knows how it ended: it says nothing about the program."""
+
 WATCHED = (
     "{system} sets no limits for a program: its memory, its processes and what it writes were looked at several times "
     "a second, and what it took in between was not refused"
@@ -148,7 +151,7 @@ def run_limited(
     if not report.is_file():
         said = first_line(_said(config)) or "nothing on standard error"
         message = f"the run could not be watched to its end ({said})"
-        return Ended("lost", message, seconds, stdout, stderr)
+        return Ended(LOST, message, seconds, stdout, stderr)
     told = json.loads(report.read_text(encoding="utf-8"))
     if wall.works:
         _behind_the_wall(told, folder / "left")

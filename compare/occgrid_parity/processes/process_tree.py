@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
@@ -37,11 +37,15 @@ def descendants_quickly(process: psutil.Process) -> set[psutil.Process]:
     return set(filter(is_alive, found))
 
 
-def _children(pid: int) -> Iterator[int]:
+def _children(pid: int) -> list[int]:
     """The processes that a thread of this one has started and that are there still, by their numbers."""
-    for file in Path(f"/proc/{pid}/task").glob("*/children"):
-        with suppress(OSError):
-            yield from map(int, file.read_bytes().split())
+    found: list[int] = []
+    # it can end while it is looked at, and so can each of its threads
+    with suppress(OSError):
+        for task in Path(f"/proc/{pid}/task").iterdir():
+            with suppress(OSError):
+                found += map(int, (task / "children").read_bytes().split())
+    return found
 
 
 def children_of_ended(pid: int) -> set[psutil.Process]:

@@ -13,7 +13,7 @@ from typing import Protocol
 from occgrid_parity.formats.plain_text import clean
 from occgrid_parity.ports.declaration import Port
 from occgrid_parity.ports.probing import run_probe
-from occgrid_parity.processes.limits import Limits, run_limited
+from occgrid_parity.processes.limits import LOST, Limits, run_limited
 from occgrid_parity.processes.wall import NONE, Wall
 from occgrid_parity.programs.command_words import join_words
 from occgrid_parity.programs.observed_map import Observed, Unreadable, find_map
@@ -123,7 +123,14 @@ class CommandRunner:
         return None
 
     def run(self, case: Case, mode: Mode) -> Outcome:
-        """Runs the program once. Raises occgrid_parity.processes.process_group.Stopped when it is asked to stop."""
+        """Runs the program, and once more where nobody knows how the run ended.
+
+        Raises occgrid_parity.processes.process_group.Stopped when it is asked to stop.
+        """
+        outcome = self._run_once(case, mode)
+        return outcome if outcome.word != LOST else self._run_once(case, mode)
+
+    def _run_once(self, case: Case, mode: Mode) -> Outcome:
         self.number += 1
         folder = self.folder / f"{self.number:03d}-{case.name}.{mode.name}"
         if folder.exists():

@@ -12,12 +12,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from types import SimpleNamespace
 
+import psutil
 import pytest
 
 from occgrid_parity.processes import own_time, turns
 from occgrid_parity.processes.limits import Limits, run_limited
 from occgrid_parity.processes.own_time import OwnTime
 from occgrid_parity.processes.process_group import Stopped
+from occgrid_parity.processes.process_tree import descendants_quickly
 from occgrid_parity.processes.turns import Turns, at_most
 
 linux_only = pytest.mark.skipif(
@@ -98,6 +100,22 @@ def test_own_time(monkeypatch: pytest.MonkeyPatch) -> None:
     now, waited = 103.0, {"1": 0.5, "2": 0.5, "3": 7.0}
     mine.look([])
     assert mine.seconds == pytest.approx(0.5 + 0.75 + 0.1)
+
+
+FORKS = (
+    "import os\nwhile True:\n    if os.fork() == 0: os._exit(0)\n    os.wait()"
+)
+
+
+@linux_only
+def test_processes_that_end_while_they_are_looked_at() -> None:
+    with running(FORKS, FORKS) as pids:
+        own = psutil.Process()
+        deadline = time.monotonic() + 3
+        while time.monotonic() < deadline:
+            found = {one.pid for one in descendants_quickly(own)}
+            assert set(pids) <= found
+            list(own_time.thread_times(found))
 
 
 @pytest.fixture
