@@ -232,9 +232,9 @@ def main() -> None:
             counters = Counters(page)
             for whole in (True, False):
                 page.evaluate(SCRIPT, [kind, scan, whole, 100])  # warm
-                before = counters.read()["ScriptDuration"]
+                before = counters.read()["TaskDuration"]
                 taken, mapped = page.evaluate(SCRIPT, [kind, scan, whole, 300])
-                spent = counters.read()["ScriptDuration"] - before
+                spent = counters.read()["TaskDuration"] - before
                 print(
                     f"script alone, {kind}, scan {scan}, {'whole map' if whole else 'as dragged'}:"
                     f" ms a frame {1000.0 * spent / len(taken):.1f} of the processor;"

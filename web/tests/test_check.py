@@ -24,6 +24,7 @@ from harness_parts import (
 )
 from pages_in_browser import GOLDEN, ROOT, Open, drop_file
 from playwright.sync_api import Page
+from test_accessible import violations
 
 Pixels = npt.NDArray[np.int64]
 
@@ -361,6 +362,7 @@ def test_what_is_known_is_shown_at_once_and_the_search_can_be_stopped(
     assert doing.get_attribute("role") == "status"
     page.wait_for_function("document.querySelector('#progress').value === 1")
     assert page.locator("#verdict").get_attribute("data-status") == "working"
+    assert violations(page) == []
     page.locator("#stop").press("Enter")
     box = page.locator("#verdict[data-status=differs]")
     assert "You stopped the search for known mistakes." in box.inner_text()
