@@ -122,9 +122,12 @@ def campaign_command(
 ) -> None:
     """Map random worlds and logs, thousands of them, and shorten what differs.
 
-    A world is known by the seed and its number: --world N maps it again. Ports must draw the reference's map in every
-    bit; of a program that is none, rounding in its own libraries is no difference. Without --port and --run: all ports.
-    Ends with 0 if no map differs, with 1 if one does, with 2 for wrong usage.
+    A world is known by the seed and its number: --world N maps it again.
+    A port must draw the reference's map in every bit. For any other program
+    (--run), rounding in its own libraries is no difference.
+    Without --port and --run, all ports are compared.
+
+    Exit status: 0 if no map differs, 1 if one does, 2 for wrong usage.
     """
     console = wide_console()
     try:

@@ -95,9 +95,10 @@ def run_command(
 ) -> None:
     """Map scenarios with the ports and compare the maps, bit for bit.
 
-    The python port is the reference, and always runs; where it has no map of a scenario, the others are
-    compared with each other and with the golden result. Ends with 0 if all maps are
-    identical, with 1 if one is not, with 2 for wrong usage.
+    The Python port is the reference, and always runs. Where it has no map of a
+    scenario, the others are compared with each other and with the golden result.
+
+    Exit status: 0 if all maps are identical, 1 if one is not, 2 for wrong usage.
     """
     console = wide_console()
     try:
