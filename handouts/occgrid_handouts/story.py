@@ -57,7 +57,7 @@ def tell_story(programs: Path, work: Path) -> Story:
     found = [contract_writing(), numpy_writing(), octave_writing(programs)]
     writings = {w.name: w for w in found if w is not None}
     plain = writings["contract"]
-    contract = draw("contract", plain)
+    contract = draw("the suite", plain)
     arguments = lesson_arguments(list(writings.values()), contract.log_odds)
     measured = measure(programs, work, arguments)
     by_id = {one.platform.id: one for one in measured}
