@@ -94,9 +94,8 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
         if twice:
             _think_of_own_noise(maps)
             return Conclusion("differs", twice, seen=[twice])
-    seen = observations(
-        _evidence(maps), maps.runner.reads_scenarios
-    ) + _scans_seen(maps)
+    scans = _scans_seen(maps)
+    seen = observations(_evidence(maps), maps.runner.reads_scenarios) + scans
     explanation = Explanation(maps, options, checks.misread)
     difference = None
     if differing is not None:
@@ -106,8 +105,9 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
     if not cause.candidates and not seen:
         _think_of_own_noise(maps)
     lost = {x.name for x in checks.levels if x.counts and not x.good}
-    if not cause.candidates and lost <= {ADDED[0], LOG_ODDS[0]}:
-        cause = None  # these levels say all that there is to say
+    # scans that are missing, or these levels, say all that there is to say
+    if not cause.candidates and (scans or lost <= {ADDED[0], LOG_ODDS[0]}):
+        cause = None
     return Conclusion("differs", summary, difference, cause, seen)
 
 
@@ -118,20 +118,25 @@ def _think_of_own_noise(maps: ProgramMaps) -> None:
 
 
 def _scans_seen(maps: ProgramMaps) -> list[str]:
-    """Whether the map with the most scans among those that differ shows only some of them."""
+    """Whether the maps with the most scans among those that differ show only some of them.
+
+    A seed's noise goes by the number of the scan, so maps with noise are looked at only where there are no others.
+    """
     wrong = [
         one
         for one in maps.compared.values()
         if one.compared.status == "differs"
+        and len(world_of(one.case).scans) > 2
     ]
-    looked = [one for one in wrong if len(world_of(one.case).scans) > 2]
-    said = []
+    looked = [one for one in wrong if one.mode.seed is None] or wrong
+    said: dict[str, list[str]] = {}
     # one map alone can be that of fewer scans by chance
     for one in [*looked[:3], *looked[3:][-1:]]:
-        said.append(chosen_scans(one.observed, one.case, one.mode))
-        if not said[-1]:
+        words = chosen_scans(one.observed, one.case, one.mode)
+        if not words:
             return []
-    return said[:1]
+        said.setdefault(words, []).append(one.case.name)
+    return [wording.maps_of_scans(*entry) for entry in said.items()]
 
 
 def _after_success(checks: LevelChecks, options: Options) -> Conclusion:

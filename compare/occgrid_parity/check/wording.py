@@ -47,13 +47,25 @@ def name_beams(pairs: Sequence[Sequence[int]]) -> str:
     return ", ".join(named) + (f" and {more} more" if more > 0 else "")
 
 
+def maps_of_scans(scans: str, names: Sequence[str]) -> str:
+    """``your maps of a and b are exactly the reference's without the first scan``."""
+    different = list(dict.fromkeys(names))
+    which = listed(different)
+    if len(different) == 1:
+        return f"your map of {which} is exactly the reference's {scans}"
+    return f"your maps of {which} are exactly the reference's {scans}"
+
+
 def compared_words(compared: Compared) -> str:
     """How one map compares."""
     said = []
     if compared.status == "differs":
         total = compared.wrong.size
-        wrong = int(compared.unexplained.sum()) or int(compared.wrong.sum())
+        wrong = int(compared.wrong.sum())
+        rounded = int((compared.wrong & ~compared.unexplained).sum())
         told = "this is a mistake, not a rounding effect"
+        if compared.together and 0 < rounded < wrong:
+            told = f"rounding can explain {rounded} of them, but not the other {wrong - rounded}"
         if not compared.together:
             told = (
                 "some beams end on a cell edge, where rounding may choose either side, but no such choice gives all of "

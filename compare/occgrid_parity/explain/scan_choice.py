@@ -23,7 +23,7 @@ LEAST_SCANS = 3
 
 
 def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
-    """Which scans the map shows, in a sentence; empty where it is no such map.
+    """Which scans the map shows, as ``without the first scan``; empty where it is no such map.
 
     A seed's noise goes by the number of the scan, so there only the first scans are looked at.
     """
@@ -56,9 +56,7 @@ def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
             observed, shorter, mode, own_poses=not case.is_file
         )
         if compared.status != "differs":
-            return (
-                f"your map of {case.name} is exactly the reference's {words}"
-            )
+            return words
     return ""
 
 

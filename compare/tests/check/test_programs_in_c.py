@@ -72,6 +72,10 @@ C = {
     "crash": Expected(
         "runs file orientation added bad-input " + EVERY, said="SIGABRT"
     ),
+    "first-scan": Expected(
+        "one-beam octants no-return prior outside simulated recorded mixed formats noise mixed-noise bad-input",
+        said="no-return-free and formats are exactly the reference's without the first scan",
+    ),
     "half-file": Expected(
         "file orientation added bad-input " + EVERY, said="half a file"
     ),
@@ -82,6 +86,10 @@ WITH_LOG_ODDS = ("log-odds", "float", "digits", "probabilities", "base-10")
 # the C mapper, with the lesson it has built in and nothing else
 C_LESSON = {
     "lesson-119": Expected("lesson", said="after 119 of 120 scans"),
+    "lesson-from-1": Expected(
+        "lesson",
+        said="your map of lesson is exactly the reference's without the first scan",
+    ),
     "lesson-even": Expected("lesson", said="every other scan (0, 2, 4, ...)"),
 }
 

@@ -9,6 +9,7 @@ import pytest
 
 from occgrid.sensor import Scan
 from occgrid_parity.check.whole_check import check
+from occgrid_parity.check.wording import case_result
 from occgrid_parity.explain.closeness import (
     compare_with_reference,
     grey_levels,
@@ -74,6 +75,26 @@ def test_the_contract_is_one_of_the_ways_of_each_beam(
 def test_rounding_decides_no_beam_of_these(name: str) -> None:
     for seed in (None, 0, 1):
         assert beams_of(world_of(case(name)), seed).undecided.size == 0
+
+
+def test_the_count_of_cells_is_that_of_the_page_and_says_what_rounding_explains() -> (
+    None
+):
+    """Two cells differ: one grey value halfway between two levels that went the other way, and one that is wrong."""
+    drawn = reference_map(case("asymmetric"), NOISE_FREE)
+    pixels = drawn.pixels.astype(np.uint16)
+    low, high = grey_levels(drawn.log_odds[::-1], 1)
+    half = tuple(np.argwhere(low != high)[0])
+    other = tuple(np.argwhere(low == high)[0])
+    pixels[half] = low[half] + high[half] - pixels[half]
+    pixels[other] = 255 - pixels[other]
+    observed = Observed(pixels, None, "")
+    compared = compare_with_reference(observed, case("asymmetric"), NOISE_FREE)
+    result = case_result("asymmetric", "noise-free", compared, 0.0)
+    assert result.cells == 2
+    assert result.message == (
+        f"2 of {pixels.size} cells differ; rounding can explain 1 of them, but not the other 1"
+    )
 
 
 def test_rounding_decides_most_beams_of_the_lesson() -> None:
