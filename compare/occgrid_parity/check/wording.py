@@ -68,8 +68,8 @@ def compared_words(compared: Compared) -> str:
             told = f"rounding can explain {rounded} of them, but not the other {wrong - rounded}"
         if not compared.together:
             told = (
-                "some beams end on a cell edge, where rounding may choose either side, but no such choice gives all of "
-                "your cells"
+                "some beams end on a cell edge, where rounding may choose either side, but we found no such choice "
+                "that gives all of your cells"
             )
         verb = "differs" if wrong == 1 else "differ"
         return f"{wrong} of {total} cells {verb}; {told}"
