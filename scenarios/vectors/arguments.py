@@ -90,6 +90,12 @@ def angles() -> list[float]:
     values += [
         math.ldexp(source.uniform(-2, 2), e) for e in range(1, 1000, 49)
     ]
+    # every digit of 2/pi that a double can meet, and one, two and three
+    # digits of the angle
+    for i, e in enumerate(range(24, 1024, 11)):
+        bits = (24, 48, 53)[i % 3]
+        digits = source.getrandbits(bits - 1) | 1 << (bits - 1)
+        values.append((-1) ** i * math.ldexp(digits, e - bits))
     return _without_twins(values)
 
 
