@@ -9,7 +9,7 @@ import pytest
 from occgrid_parity.check.bad_input import check_bad_input
 from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.course.submission_task import Checked, without_run
-from occgrid_parity.processes.limits import LOST, Ended, Limits
+from occgrid_parity.processes.limits import LOST, Ended, Limits, run_limited
 from occgrid_parity.programs import runner
 from occgrid_parity.programs.program import program_from_command
 from occgrid_parity.programs.runner import CommandRunner
@@ -19,7 +19,7 @@ from occgrid_parity.suite.modes import NOISE_FREE
 
 def lose(monkeypatch: pytest.MonkeyPatch, times: int) -> list[Path]:
     """The first runs are lost; what is given back names the folders of all."""
-    real, folders = runner.run_limited, []
+    real, folders = run_limited, []
 
     def some(*command: object, **options: object) -> Ended:
         folder = options["folder"]

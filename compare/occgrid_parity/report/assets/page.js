@@ -136,7 +136,7 @@ function look() {
     ? last ? "no map to compare" : `no map of ${name} after this scan`
     : found.width !== width || found.height !== height
       ? `another size: ${found.width} x ${found.height}, expected ${width} x ${height}`
-      : `${differing.length} of ${width * height} cells differ`;
+      : `${differing.length} of ${width * height} cells ${differing.length === 1 ? "differs" : "differ"}`;
   byId("next-difference").disabled = differing.length === 0;
 }
 
