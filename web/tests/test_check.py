@@ -73,7 +73,7 @@ def verdict(page: Page, file: Path) -> tuple[str, str]:
     box.evaluate("e => { e.dataset.status = 'working'; }")
     page.set_input_files("#file", file)
     # by its name: the file before it may still be on its way
-    found = page.wait_for_function(JUDGED, arg=file.name, timeout=180_000)
+    found = page.wait_for_function(JUDGED, arg=file.name, timeout=600_000)
     status, words = found.json_value()
     return status, words
 
