@@ -70,6 +70,19 @@ def _around_words(words: Iterable[int]) -> list[float]:
 
 # --- portable_math ---------------------------------------------------------
 
+# Found by search: the last bit of one coefficient of the polynomials decides
+# the last bit of the result.
+LAST_BIT_OF_SIN = "0x1.08cedc92a88e8p-1 0x1.2873f164d24b6p-1"
+LAST_BIT_OF_COS = "0x1.94d5c83b60c77p-1 0x1.97103bfd4dba0p-1"
+LAST_BIT_OF_EXP = "0x1.0b4b32fdd78fep-2 -0x1.44df5589806a0p-2"
+LAST_BIT_OF_LOG = "0x1.6d73c9ffe11bcp+0 0x1.924b06d2c5a07p+0"
+# ... and a constant that is one larger moves the border of two formulas
+BORDER_OF_LOG = "0x1.6a09b37559fbbp-1"
+
+
+def _doubles(text: str) -> list[float]:
+    return [float.fromhex(word) for word in text.split()]
+
 
 def angles() -> list[float]:
     """For sin and cos: branches of section 9.1 and 9.2, multiples of pi/2."""
@@ -96,6 +109,7 @@ def angles() -> list[float]:
         bits = (24, 48, 53)[i % 3]
         digits = source.getrandbits(bits - 1) | 1 << (bits - 1)
         values.append((-1) ** i * math.ldexp(digits, e - bits))
+    values += _doubles(LAST_BIT_OF_SIN) + _doubles(LAST_BIT_OF_COS)
     return _without_twins(values)
 
 
@@ -118,6 +132,7 @@ def exponents() -> list[float]:
     values += [-708.5, -720.25, -744.0, -745.0, 8.0, -8.0, 1000.0, -1000.0]
     values += [source.uniform(-20, 20) for _ in range(40)]
     values += [source.uniform(-745, 709) for _ in range(20)]
+    values += _doubles(LAST_BIT_OF_EXP)
     return _without_twins(values)
 
 
@@ -143,6 +158,7 @@ def logarithm_arguments() -> list[float]:
     values += [
         math.ldexp(source.uniform(1, 2), e) for e in range(-1020, 1020, 60)
     ]
+    values += _doubles(LAST_BIT_OF_LOG) + _doubles(BORDER_OF_LOG)
     return _without_twins(values)
 
 
