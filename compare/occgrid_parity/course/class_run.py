@@ -6,6 +6,7 @@ import hashlib
 import threading
 import time
 from collections.abc import Callable
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -122,22 +123,19 @@ class ClassRun:
         turns = Turns(self.plan.jobs, slots.working)
 
         def here(task: Task, stop: threading.Event) -> Checked:
-            with turns.turn(stop):
-                self.progress.begin(task.name)
-                return slots.run(check_task, task, stop)
+            return slots.run(check_task, task, stop)
 
-        def there(task: Task, stop: threading.Event) -> Checked:
-            assert work is not None
-            self.progress.begin(task.name)
-            return work(task, stop)
+        places = iter(self.places)
 
-        do = here if work is None else there
-
-        def one(place: Path, stop: threading.Event) -> None:
-            self._one(place, stop, do)
+        def next_one(_: Path, stop: threading.Event) -> None:
+            # who has a turn takes the next, so that they begin in order
+            with turns.turn(stop) if work is None else nullcontext():
+                self._one(next(places), stop, work or here)
 
         try:
-            side_by_side(one, self.places, jobs or at_most(self.plan.jobs))
+            side_by_side(
+                next_one, self.places, jobs or at_most(self.plan.jobs)
+            )
             slots.close()
             self.write()
         except BaseException:  # also where a signal comes in the last lines
@@ -174,6 +172,7 @@ class ClassRun:
                 self.taken_up += 1
             self.progress.step(f"{name}: {verdict.summary} (as before)")
             return
+        self.progress.begin(name)
         task = Task(name, archive, self.wanted, place, self.store.place(name))
         try:
             checked = work(task, stop)
