@@ -391,7 +391,7 @@ def beyond_sure() -> str:
     """Probabilities that logit does not tell from 1e-9 and 1 - 1e-9."""
     return _model(
         "Probabilities beyond 1e-9 and 1 - 1e-9 count as these.",
-        p_occ=0.99999999999,
+        p_occ=1.0 - 2.0**-53,  # the largest that is allowed
         p_free=1e-12,
         l_min=-1000.0,
         l_max=1000.0,
