@@ -76,8 +76,11 @@ LAST_BIT_OF_SIN = "0x1.08cedc92a88e8p-1 0x1.2873f164d24b6p-1"
 LAST_BIT_OF_COS = "0x1.94d5c83b60c77p-1 0x1.97103bfd4dba0p-1"
 LAST_BIT_OF_EXP = "0x1.0b4b32fdd78fep-2 -0x1.44df5589806a0p-2"
 LAST_BIT_OF_LOG = "0x1.6d73c9ffe11bcp+0 0x1.924b06d2c5a07p+0"
-# ... and a constant that is one larger moves the border of two formulas
-BORDER_OF_LOG = "0x1.6a09b37559fbbp-1"
+# ... and these show borders of log's formulas that lie elsewhere
+BORDERS_OF_LOG = (
+    "0x1.6a09b37559fbbp-1 0x1.851cafd1fb5e1p+997 0x0.141436fa421eep-1022 "
+    "0x0.016dea8a0f23ep-1022"
+)
 
 
 def _doubles(text: str) -> list[float]:
@@ -158,7 +161,7 @@ def logarithm_arguments() -> list[float]:
     values += [
         math.ldexp(source.uniform(1, 2), e) for e in range(-1020, 1020, 60)
     ]
-    values += _doubles(LAST_BIT_OF_LOG) + _doubles(BORDER_OF_LOG)
+    values += _doubles(LAST_BIT_OF_LOG) + _doubles(BORDERS_OF_LOG)
     return _without_twins(values)
 
 
