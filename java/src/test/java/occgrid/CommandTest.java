@@ -154,7 +154,9 @@ class CommandTest {
                 SCENARIO.replace("width 4", "width 5000")
                         .replace("height 3", "height 5000"));
         Path out = folder.resolve("o");
-        Process run = shell("exec occgrid --out o big.log")
+        // a background has SIGINT ignored, and its children with it
+        Process run = shell("exec env --default-signal=INT,TERM "
+                + "occgrid --out o big.log")
                 .redirectOutput(folder.resolve("out").toFile()).start();
         long end = System.nanoTime() + 60_000_000_000L;
         while (temporary(out).isEmpty() && System.nanoTime() < end) {
