@@ -38,8 +38,11 @@ def running(*codes: str) -> Iterator[list[int]]:
     with contextlib.ExitStack() as stack:
         pids = []
         for code in codes:
+            # Linux may share the processor out among sessions first
             process = stack.enter_context(
-                subprocess.Popen([sys.executable, "-c", code])
+                subprocess.Popen(
+                    [sys.executable, "-c", code], start_new_session=True
+                )
             )
             stack.callback(process.kill)
             pids.append(process.pid)
