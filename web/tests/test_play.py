@@ -433,8 +433,9 @@ def test_addresses_open_a_state_and_follow_it(open_page: Open) -> None:
     assert "cell=12,34" in page.url
     page.evaluate("location.hash = '#line=0,0,7,3&step=9'")
     page.wait_for_function("occgridPage.lab.step === 9")
-    assert page.locator("#line").evaluate(
-        "e => Math.abs(e.getBoundingClientRect().top) < 500"
+    # the page scrolls smoothly, from the next frame on
+    page.wait_for_function(
+        "Math.abs(document.querySelector('#line').getBoundingClientRect().top) < 500"
     )
     page.evaluate("location.hash = '#scan=x&beam=-3&cell=999,1&p0=7&seed=-1'")
     page.wait_for_timeout(200)

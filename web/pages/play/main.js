@@ -91,12 +91,16 @@ function settle() {
   const { now } = lab.maps();
   const place = `scan ${lab.scan}, beam ${lab.beam}${lab.free ? ", and the robot where you have put it" : ""}`;
   setText(element("hash"), `${hashOfMap(now)} (${place})`);
-  if (lab.cell.gx !== start.gx || lab.cell.gy !== start.gy)
-    touched.add("cell");
-  const address = addressOf(lab, touched);
-  if (own && address !== location.hash)
+  const address = addressNow();
+  if ((own || address !== opened) && address !== location.hash)
     history.replaceState(null, "", address);
   own = true;
+}
+
+function addressNow() {
+  if (lab.cell.gx !== start.gx || lab.cell.gy !== start.gy)
+    touched.add("cell");
+  return addressOf(lab, touched);
 }
 
 function follow() {
@@ -112,6 +116,8 @@ lab.goTo(24, lab.beams);
 addEventListener("hashchange", follow);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
 follow();
+/** What the page shows before the reader does anything. */
+const opened = addressNow();
 
 // for tests: what the page shows, in numbers
 Object.assign(window, {
