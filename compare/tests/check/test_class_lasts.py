@@ -72,21 +72,26 @@ def test_results_inside_the_class_are_no_submission(tmp_path: Path) -> None:
     assert set(rows(tmp_path / "in")) == {"one"}
 
 
+def begun(folder: Path) -> subprocess.Popen[str]:
+    """A check of the class that goes on, one submission at a time."""
+    return subprocess.Popen(
+        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1"],
+        cwd=folder,
+        text=True,
+        stdout=subprocess.PIPE,
+    )
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_stopped_and_taken_up(tmp_path: Path, number: signal.Signals) -> None:
     submit(tmp_path, "a-right")
     mark = f"10{os.getpid()}"
     submit(tmp_path, "b-hangs", f'run = ["sh", "-c", "setsid sleep {mark}"]\n')
-    with subprocess.Popen(
-        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1"],
-        cwd=tmp_path,
-        text=True,
-        stdout=subprocess.PIPE,
-    ) as run:
+    with begun(tmp_path) as run:
         # on a busy machine the first submission alone takes a minute
-        while not (begun := sleeping(mark)) and run.poll() is None:
+        while not (asleep := sleeping(mark)) and run.poll() is None:
             time.sleep(0.05)
-        assert begun
+        assert asleep
         run.send_signal(number)
         printed, _ = run.communicate(timeout=60)
     assert run.returncode == 128 + number
@@ -180,12 +185,7 @@ def test_others_are_checked_while_one_hangs(tmp_path: Path) -> None:
     submit(tmp_path, "a-hangs", 'run = ["sleep", "1000"]\n')
     for name in ("b", "c"):
         submit(tmp_path, name)
-    with subprocess.Popen(
-        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1"],
-        cwd=tmp_path,
-        text=True,
-        stdout=subprocess.PIPE,
-    ) as run:
+    with begun(tmp_path) as run:
         assert run.stdout is not None
         before = [next(run.stdout) for _ in range(4)]
         run.send_signal(signal.SIGTERM)
