@@ -5,11 +5,13 @@ Only Linux says how long a thread has waited for a processor. Elsewhere all of t
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 COUNTED = 0.1  # share of the time that counts even where a program says that it always waits
+PROCESSORS = os.cpu_count() or 1
 
 
 class OwnTime:
@@ -18,7 +20,7 @@ class OwnTime:
     def __init__(self) -> None:
         self.looked = time.monotonic()
         self.before = 0.0
-        self.waits: dict[str, int] = {}
+        self.times: dict[str, tuple[int, int]] = {}
 
     @property
     def seconds(self) -> float:
@@ -26,16 +28,21 @@ class OwnTime:
         return self.before + time.monotonic() - self.looked
 
     def look(self, pids: Iterable[int]) -> None:
-        """Takes off what the thread that has waited longest since the last look has waited."""
+        """Takes off what the thread that has waited longest since the last look has waited.
+
+        Threads of the program that wait for each other take nothing off: it has had the processors that they ran on.
+        """
         now = time.monotonic()
-        waits = {task: wait for task, _, wait in thread_times(pids)}
-        longest = max(
-            (wait - self.waits.get(task, 0) for task, wait in waits.items()),
-            default=0,
-        )
+        times = {task: (ran, wait) for task, ran, wait in thread_times(pids)}
+        ran, longest = 0, 0
+        for task, (own_ran, own_wait) in times.items():
+            ran_before, wait_before = self.times.get(task, (0, 0))
+            ran += own_ran - ran_before
+            longest = max(longest, own_wait - wait_before)
         passed = now - self.looked
-        self.before += max(passed - longest / 1e9, COUNTED * passed)
-        self.looked, self.waits = now, waits
+        had = min(ran / 1e9 / PROCESSORS, passed)
+        self.before += max(passed - longest / 1e9, had, COUNTED * passed)
+        self.looked, self.times = now, times
 
 
 def thread_times(pids: Iterable[int]) -> Iterator[tuple[str, int, int]]:

@@ -105,6 +105,23 @@ def test_own_time(monkeypatch: pytest.MonkeyPatch) -> None:
     assert mine.seconds == pytest.approx(0.5 + 0.75 + 0.1)
 
 
+def test_threads_that_wait_for_each_other(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Four threads that have both processors all the time: each waits half of it, and all of it counts."""
+    now = 100.0
+    second = 10**9
+    clock = SimpleNamespace(monotonic=lambda: now)
+    monkeypatch.setattr(own_time, "time", clock)
+    monkeypatch.setattr(own_time, "PROCESSORS", 2)
+    times = [(task, second // 2, second // 2) for task in "1234"]
+    monkeypatch.setattr(own_time, "thread_times", lambda pids: times)
+    mine = OwnTime()
+    now = 101.0
+    mine.look([])
+    assert mine.seconds == pytest.approx(1.0)
+
+
 FORKS = (
     "import os\nwhile True:\n    if os.fork() == 0: os._exit(0)\n    os.wait()"
 )
@@ -145,25 +162,31 @@ def has_turn_within(seconds: float, some: Turns) -> bool:
     return found
 
 
+NEVER = threading.Event()
+
+
+@contextlib.contextmanager
+def turns_for(*codes: str) -> Iterator[tuple[Turns, list[int]]]:
+    """Turns for one piece of work at a time, where these programs are those at work; and their numbers."""
+    with running(*codes) as pids:
+        yield Turns(1, lambda: pids), pids
+
+
 @linux_only
 @pytest.mark.usefixtures("quick")
 def test_others_begin_while_one_waits() -> None:
-    stop = threading.Event()
-    with running("import time; time.sleep(1000)") as pids:
-        some = Turns(1, lambda: pids)
-        with some.turn(stop):
+    with turns_for("import time; time.sleep(1000)") as (some, _):
+        with some.turn(NEVER):
             assert has_turn_within(30, some)
-            with some.turn(stop):  # the one that waits has lent its place
+            with some.turn(NEVER):  # the one that waits has lent its place
                 assert not has_turn_within(1.5, some)
         assert some.taken == 0
 
 
 @pytest.mark.usefixtures("quick")
 def test_nobody_else_begins_while_all_work() -> None:
-    stop = threading.Event()
-    with running("while True: pass") as pids:
-        some = Turns(1, lambda: pids)
-        with some.turn(stop):
+    with turns_for("while True: pass") as (some, _):
+        with some.turn(NEVER):
             assert not has_turn_within(2, some)
         assert has_turn_within(30, some)
 
@@ -173,10 +196,8 @@ def test_nobody_else_begins_while_all_work() -> None:
 def test_what_a_process_has_started_works_for_it() -> None:
     """A shell that waits for a program is not idle while that works."""
     code = "import subprocess, sys; subprocess.run([sys.executable, '-c', 'while True: pass'])"
-    stop = threading.Event()
-    with running(code) as pids:
-        some = Turns(1, lambda: pids)
-        with some.turn(stop):
+    with turns_for(code) as (some, pids):
+        with some.turn(NEVER):
             assert not has_turn_within(2, some)
         for child in turns._tree(pids[0])[1:]:
             os.kill(child, 9)
@@ -185,13 +206,12 @@ def test_what_a_process_has_started_works_for_it() -> None:
 @linux_only
 @pytest.mark.usefixtures("quick")
 def test_there_is_an_end_to_lending() -> None:
-    stop = threading.Event()
     most = at_most(1)
-    with running(*["import time; time.sleep(1000)"] * (most + 2)) as pids:
-        some = Turns(1, lambda: pids)
+    sleepers = ["import time; time.sleep(1000)"] * (most + 2)
+    with turns_for(*sleepers) as (some, _):
         with contextlib.ExitStack() as stack:
             for _ in range(most):
                 assert has_turn_within(30, some)
-                stack.enter_context(some.turn(stop))
+                stack.enter_context(some.turn(NEVER))
             time.sleep(1)
             assert not has_turn_within(1, some)
