@@ -18,13 +18,12 @@ function log_odds = map_with_port(work, batch, plain)
             map = occgrid.sensor.update_grid_from_scan( ...
                 map, scan, work.max_range, 'free');
         end
-        log_odds = map.log_odds;
-        return
-    end
-    for first = 1:batch:count
-        numbers = first:min(first + batch - 1, count);
-        map = occgrid.fast.update_grid_from_scans( ...
-            map, scans(numbers), work.max_range, 'free');
+    else
+        for first = 1:batch:count
+            numbers = first:min(first + batch - 1, count);
+            map = occgrid.fast.update_grid_from_scans( ...
+                map, scans(numbers), work.max_range, 'free');
+        end
     end
     log_odds = map.log_odds;
 end

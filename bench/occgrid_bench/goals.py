@@ -96,20 +96,36 @@ def _lesson_goals(part: Part) -> list[Goal]:
             ),
         ],
     )
-    for title, name, other, bound in (
-        ("C++", "cpp-plain", REFERENCE, 1.0),
-        ("Java, warm", "java-plain", "lesson-java", 1.0),
-        ("NumPy", "python-plain", "lesson-python", 1.3),
-        ("Octave", "octave-plain", "lesson-octave", 1.0),
+    for text, name, other, bound in (
+        (
+            "C++, plain: time over the lesson's algorithm",
+            "cpp-plain",
+            REFERENCE,
+            1.0,
+        ),
+        (
+            "Java, warm, plain: time over the lesson's algorithm",
+            "java-plain",
+            "lesson-java",
+            1.0,
+        ),
+        (
+            "NumPy, plain: time over the lesson's algorithm",
+            "python-plain",
+            "lesson-python",
+            1.3,
+        ),
+        (
+            "Octave, plain: time over the lesson's algorithm",
+            "octave-plain",
+            "lesson-octave",
+            1.0,
+        ),
+        ("Java, warm: time over the C++ port's", "java", "cpp", 1.5),
     ):
         value = _times(part.find(other), part.find(name))
         if value is not None:
-            text = f"{title}, plain: time over the lesson's algorithm"
             found.append(Goal(text, value, bound, False, part.command))
-    over_cpp = _times(part.find("cpp"), part.find("java"))
-    if over_cpp is not None:
-        text = "Java, warm: time over the C++ port's"
-        found.append(Goal(text, over_cpp, 1.5, False, part.command))
     cpp = part.find("cpp")
     updates, ends = part.find("floor-list"), part.find("floor-ends")
     if cpp and updates and ends:

@@ -32,10 +32,12 @@ def main() -> None:
         grid = OccupancyGrid(spec)
         if how == "log":
             update_grid_from_scans(grid, scans, work.max_range)
-        for scan in scans if how == "scan" else []:
-            update_grid_from_scans(grid, [scan], work.max_range)
-        for scan in scans if how == "plain" else []:
-            update_grid_from_scan(grid, scan, work.max_range)
+        elif how == "scan":
+            for scan in scans:
+                update_grid_from_scans(grid, [scan], work.max_range)
+        else:
+            for scan in scans:
+                update_grid_from_scan(grid, scan, work.max_range)
         mapped[:] = [grid]
 
     def log_odds() -> Array:
