@@ -37,6 +37,13 @@ def main() -> None:
         "--only", default="", help="only changes whose name contains this"
     )
     parser.add_argument(
+        "--without",
+        metavar="MODULE",
+        action="append",
+        default=[],
+        help="leave out the changes of this module; can be repeated",
+    )
+    parser.add_argument(
         "--jobs", type=int, default=2, help="side by side (default: 2)"
     )
     parser.add_argument(
@@ -54,7 +61,11 @@ def main() -> None:
 
 
 def _run(options: argparse.Namespace, campaign: Campaign) -> None:
-    chosen = [s for s in campaign.sites if options.only in s.name]
+    chosen = [
+        s
+        for s in campaign.sites
+        if options.only in s.name and s.module not in options.without
+    ]
     of = len(chosen)
     if options.minutes is not None or options.count is not None:
         random.Random(options.seed).shuffle(chosen)
