@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import sys
 import time
 from pathlib import Path
@@ -26,10 +27,13 @@ from ..check_helpers import PROGRAMS
 MAP = 'awk -f "$0" "$1"'
 """A mapper in awk, which a submission has beside its script."""
 
+LONG = f"10{os.getpid()}"
+"""Seconds of sleep that no other test has: so a process that is left is known to come from here."""
+
 # what each submission's shell script does: $0 is the mapper, $1 the scenario, the working folder is the empty one
 SUBMISSIONS = {
     "right": (MAP, "identical", ""),
-    "hangs": ("sleep 1000", "failed", "hang"),
+    "hangs": (f"sleep {LONG}", "failed", "hang"),
     "crashes": ("kill -SEGV $$", "failed", "crash"),
     "fails": ("echo 'no such luck' >&2; exit 3", "failed", "crash"),
     "prints-a-gigabyte": ("yes", "failed", "too much output"),
@@ -37,7 +41,7 @@ SUBMISSIONS = {
     "floats": ("printf 'P2\\n8 5\\n255\\n'; yes '0.5' | head -n 40", "failed", "floats instead of integers"),
     "wrong-size": ("printf 'P2\\n4 5\\n255\\n'; yes 128 | head -n 20", "failed", "wrong size"),
     "wrong-magic": ("printf 'P1\\n8 5\\n'; yes 1 | head -n 40", "failed", "wrong magic"),
-    "forks": ("while :; do sleep 1000 & done", "failed", "forks"),
+    "forks": (f"while :; do sleep {LONG} & done", "failed", "forks"),
     "missing-file": ("cat /nowhere/settings", "failed", "missing file"),
     "writes-nothing": ("true", "failed", "no map"),
     "writes-into-the-scenario": (
@@ -162,7 +166,7 @@ def test_nothing_of_them_is_left(
         except OSError:
             continue
         if command.startswith(
-            b"sleep\x001000"
+            f"sleep\0{LONG}".encode()
         ) and "occgrid-parity-check-" in str(place):
             left.append(command)
     assert left == []
