@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from playwright.sync_api import Browser, Page
@@ -16,11 +18,13 @@ from occgrid_parity.check.verdict import (
     Overall,
     Verdict,
 )
+from occgrid_parity.check.verdict_text import HALVES
 from occgrid_parity.course.class_page import write_class_page
 from occgrid_parity.explain.cause import likely
 from occgrid_parity.explain.findings import Cause
 from occgrid_parity.mistakes.catalogue import MISTAKES
 
+from .accessible import is_noticed, tables_too_wide, violations
 from .test_report_page import browser  # noqa: F401
 
 COUNT = 1000
@@ -94,3 +98,36 @@ def test_columns_sort_numbers_as_numbers(page: Page) -> None:
 
 def test_no_sideways_scrolling_on_a_phone(page: Page) -> None:
     assert page.evaluate("document.documentElement.scrollWidth") == 390
+    assert tables_too_wide(page) == []
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_axe_finds_nothing(
+    browser: Browser,  # noqa: F811
+    tmp_path: Path,
+    width: int,
+    scheme: Literal["light", "dark"],
+) -> None:
+    few = [(f"s{number}", verdict(number)) for number in range(4)]
+    page = browser.new_page(
+        viewport={"width": width, "height": 800}, color_scheme=scheme
+    )
+    page.goto(write_class_page(few, tmp_path, 4).as_uri())
+    assert violations(page) == []
+    assert is_noticed(page)
+    page.close()
+
+
+def test_what_the_star_means_is_said_where_there_is_one(
+    tmp_path: Path,
+) -> None:
+    right = verdict(1)
+    star = replace(
+        right,
+        overall="edges",
+        levels=[replace(right.levels[0], status="halves")],
+    )
+    for one, there in ((right, False), (star, True)):
+        text = write_class_page([("s", one)], tmp_path, 1).read_text()
+        assert (HALVES in text) == ("identical*" in text) == there

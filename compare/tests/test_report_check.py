@@ -110,12 +110,13 @@ def test_the_page_has_the_verdict_and_every_map(written: Path) -> None:
     assert "<strong>truncation instead of floor</strong>" in text
     assert "<strong>scan 2, beam 4, cell gx=15 gy=12</strong>" in text
     rows = re.findall(
-        r'<th scope="row"[^>]*>([^<]+)</th><td>([^<]+)</td>', text
+        r'<th scope="row"[^>]*>([^<]+)</th><td>([^<]+)</td>',
+        text[text.index('id="matrix"') :],
     )
     assert ("no-return-free", "noise-free") in rows
     assert ("one-beam", "noise-free") in rows
     cells = re.findall(r'class="status \w+"[^>]*>([^<]+)<', text)
-    assert cells.count("reference") == len(rows)
+    assert cells.count("expected") == len(rows)
     differ = cells.count("differs")
     verdict = from_json((written / "verdict.json").read_text())
     assert differ == sum(
@@ -142,9 +143,9 @@ def test_the_page_calls_rounding_by_its_name(tmp_path: Path) -> None:
     text = (tmp_path / "page" / "index.html").read_text()
     cells = re.findall(r'class="status (\w+)"[^>]*>([^<]+)<', text)
     assert sorted(cells) == [
+        ("good", "expected"),
+        ("good", "expected"),
         ("good", "identical"),
-        ("good", "reference"),
-        ("good", "reference"),
         ("near", "at edges"),
     ]
 
@@ -182,7 +183,7 @@ def test_the_page_of_a_class(class_report: Path) -> None:
     text = (class_report / "index.html").read_text()
     assert "1 of 4 are as they should be." in text
     rows = re.findall(
-        r'<a href="([^"]+)">([^<]+)</a></th>\s*<td class="(\w+)">([^<]+)</td>',
+        r'<a href="([^"]+)">([^<]+)</a></th>\s*<td[^>]* class="(\w+)">([^<]+)</td>',
         text,
     )
     assert rows == [
@@ -198,7 +199,7 @@ def test_the_page_of_a_class(class_report: Path) -> None:
     ]
     causes = text[text.index('id="causes"') : text.index('id="submissions"')]
     assert causes.count("not added to the bearing") == 1
-    assert re.search(r"<td>2</td><td class=\"text\">ana, cy</td>", causes)
+    assert re.search(r"<td[^>]*>2</td><td[^>]*>ana, cy</td>", causes)
     for name in ("ana", "bo & co", "cy", "dee"):
         own = (class_report / "submissions" / name / "index.html").read_text()
         assert f"Check of {name.replace('&', '&amp;')}" in own

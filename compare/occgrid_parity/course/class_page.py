@@ -13,6 +13,7 @@ from markupsafe import Markup
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.check.verdict_text import (
     HALVES,
+    MARKS,
     place_text,
     verdict_status,
     verdict_word,
@@ -63,7 +64,9 @@ def write_class_page(
             total=total,
             good=sum(not row.failed for row in rows),
             causes=_causes(submissions),
-            note=f"* {HALVES}",
+            note=f"* {HALVES}"
+            if any(row.verdict == MARKS["halves"] for row in rows)
+            else "",
             started=datetime.now(UTC).isoformat(timespec="seconds"),
             style=Markup(asset("page.css")),
             script=Markup(asset("class.js")),

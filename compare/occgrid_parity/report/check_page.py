@@ -14,7 +14,7 @@ import numpy as np
 from occgrid.scenario import Scenario
 from occgrid.sensor import Scan
 from occgrid_parity.check.program_maps import ComparedMap, PartialMap
-from occgrid_parity.check.verdict import Verdict
+from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.verdict_text import (
     HALVES,
     MARKS,
@@ -25,6 +25,7 @@ from occgrid_parity.check.verdict_text import (
     verdict_word,
 )
 from occgrid_parity.check.wording import plural
+from occgrid_parity.compare.cell_values import CellValue
 from occgrid_parity.compare.run_record import (
     SCHEMA,
     PortRecord,
@@ -93,8 +94,9 @@ def write_check_page(
         place=place_text(difference) if difference else "",
         how=how_text(difference) if difference else "",
         beam="\n".join(beam_lines(difference)) if difference else "",
+        cell=_cell(difference) if difference else [],
         levels=[
-            (level, MARKS[level.status], TONES[level.status])
+            (level, MARKS[level.status], TONES[level.status], _said(level))
             for level in verdict.levels
         ],
         remarks=remarks,
@@ -103,6 +105,33 @@ def write_check_page(
     page = target / PAGE_FILE
     write_text(page, text)
     return page
+
+
+def _cell(difference: FirstDifference) -> list[tuple[str, str, str]]:
+    """What is known of the cell of the first difference: name, expected, found."""
+    expected, found = difference.expected, difference.found
+    values = (
+        ("P(occupied)", expected.probability, found.probability),
+        ("log-odds", expected.log_odds, found.log_odds),
+        ("its bits", _bits(expected), _bits(found)),
+        ("pixel", expected.pixel, found.pixel),
+    )
+    return [
+        (name, "" if a is None else str(a), "" if b is None else str(b))
+        for name, a, b in values
+        if a is not None or b is not None
+    ]
+
+
+def _bits(value: CellValue) -> str | None:
+    return None if value.bits is None else f"0x{value.bits}"
+
+
+def _said(level: Level) -> list[str]:
+    """A level's message, a line for each of its maps where it is about several."""
+    maps = [f"{x.scenario}, {x.mode}: {x.message}" for x in level.cases]
+    lines = [said for said in maps if said in level.message]
+    return lines if "; ".join(lines) == level.message else [level.message]
 
 
 def _start(verdict: Verdict, maps: Sequence[ComparedMap]) -> str:
@@ -194,7 +223,7 @@ def _case(
             expected,
             ["what the contract says"],
             place(maps, _reference(one.case, one.mode)),
-            EXPECTED,
+            "expected",
             "good",
         ),
         PortMap(

@@ -6,6 +6,7 @@ import functools
 import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -43,12 +44,23 @@ def write_page(record: RunRecord, run_folder: Path, target: Path) -> Path:
 @functools.cache
 def environment() -> Environment:
     """The templates."""
-    return Environment(
+    made = Environment(
         loader=PackageLoader("occgrid_parity.report", "assets"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
+    )
+    made.filters["moment"] = _moment
+    return made
+
+
+def _moment(text: str) -> str:
+    """A time of a record, as people write it."""
+    return (
+        datetime.fromisoformat(text)
+        .astimezone(UTC)
+        .strftime("%Y-%m-%d %H:%M UTC")
     )
 
 

@@ -133,11 +133,17 @@ function look() {
   byId("found-name").textContent = found ? `found (${name})` : "found (no map)";
   byId("compare-caption").textContent = found ? "Expected left of the line, found right of it." : "Expected.";
   byId("difference-count").textContent = !found
-    ? last ? "no map to compare" : `no map of ${name} after this scan`
+    ? last ? "no map to compare" : `no map of ${name} after ${scansMapped()}${otherMaps()}`
     : found.width !== width || found.height !== height
       ? `another size: ${found.width} x ${found.height}, expected ${width} x ${height}`
       : `${differing.length} of ${width * height} cells ${differing.length === 1 ? "differs" : "differ"}`;
   byId("next-difference").disabled = differing.length === 0;
+}
+
+/* After how many scans there is a map of the program, where there are several. */
+function otherMaps() {
+  const counts = Object.keys(shown.partial);
+  return foundMap() && counts.length ? `; there is one after ${[...counts, shown.frames.total].join(", ")}` : "";
 }
 
 /* A colour of the style sheet as red, green, blue. */
@@ -198,7 +204,7 @@ async function showCase(number, portIndex) {
   const scrubber = byId("scrubber");
   scrubber.disabled = !shown.frames;
   scrubber.max = shown.frames ? shown.frames.scans.length - 1 : 0;
-  scrubber.value = scrubber.max;
+  scrubber.value = firstWrongFrame() ?? scrubber.max;
   look();
   wholeMap();
   readOut();
@@ -207,8 +213,22 @@ async function showCase(number, portIndex) {
 /* The first difference, where the map that is shown is the one in which it was found. */
 const beamStart = () => (start && start.number === chosen && start.end && start.robot ? start : null);
 
+/* The picture after the scan of the first difference, where there is a map of the program to compare with. */
+function firstWrongFrame() {
+  if (!shown.frames || !start || start.number !== chosen || start.scan === undefined) return null;
+  const scans = start.scan + 1;
+  const drawn = scans === shown.frames.total || shown.partial[scans] !== undefined;
+  return drawn ? shown.frames.scans.indexOf(scans) : null;
+}
+
 function frameIndex() {
   return shown.frames ? Number(byId("scrubber").value) : null;
+}
+
+/* How many scans the map on the left is made of, in words. */
+function scansMapped() {
+  const count = shown.frames.scans[frameIndex()];
+  return `${count} ${count === 1 ? "scan" : "scans"}`;
 }
 
 const isLastFrame = () => frameIndex() === null || frameIndex() === shown.frames.scans.length - 1;
@@ -250,13 +270,15 @@ function line(context, from, to, colour, width, dash = []) {
   context.setLineDash([]);
 }
 
-/* Walls, the robot where it took the last scan, and the beam of the first difference. */
+/* Walls, the beam of the first difference, and the robot: at this beam where the map is looked at for its sake, else
+   where it took the last scan. */
 function drawWorld(context) {
   if (!shown.origin) return;
   for (const [x0, y0, x1, y1] of shown.walls) line(context, toCanvas(x0, y0), toCanvas(x1, y1), style("--wall"), 1.5);
   const beam = beamStart();
   if (beam) line(context, toCanvas(beam.robot[0], beam.robot[1]), toCanvas(...beam.end), style("--beam"), 2, [6, 3]);
-  const pose = beam && isLastFrame() ? beam.robot : shown.frames ? shown.frames.poses[frameIndex()] : null;
+  const atBeam = beam && isLastFrame() && firstWrongFrame() === null;
+  const pose = atBeam ? beam.robot : shown.frames ? shown.frames.poses[frameIndex()] : null;
   if (!pose) return;
   const [x, y] = toCanvas(pose[0], pose[1]);
   const size = 6 * devicePixelRatio;
@@ -367,7 +389,7 @@ function readOut() {
   }
   byId("readout-cell").textContent = where;
   if (!isLastFrame()) {
-    const after = `after scan ${shown.frames.scans[frameIndex()]}`;
+    const after = `after ${scansMapped()}`;
     const right = values(now.expected, gx, gy);
     addRow(body, [`expected ${after}`, ...right], false);
     if (now.found) {
