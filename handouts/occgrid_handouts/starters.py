@@ -265,7 +265,7 @@ def readme(
         "    occgrid-parity check --port port.toml",
         "",
         "It names the functions that are missing, and for a wrong one its first wrong answer.",
-        "Then it compares whole maps.",
+        "Then it compares whole maps. The handout says how the command is installed.",
     ]
     return "\n".join(lines) + "\n"
 

@@ -29,6 +29,11 @@ MARK_SCROLLING = """() => {
   return boxes.length;
 }"""
 
+# The tables that scroll sideways: what stands in the last column is not seen at once.
+SCROLLING_TABLES = """() =>
+  [...document.querySelectorAll(".wide")].filter(box => box.scrollWidth > box.clientWidth).map(box => box.innerText)
+"""
+
 
 def open_page(
     browser: Browser, handouts: Handouts, name: str, width: int
@@ -45,6 +50,7 @@ def test_nothing_leaves_a_page(
     for name in handouts.pages():
         page = open_page(browser, handouts, name, width)
         assert page.evaluate(OVER_THE_EDGE) == [], name
+        assert page.evaluate(SCROLLING_TABLES) == [], name
         page.close()
 
 
@@ -63,7 +69,7 @@ def test_element_over_the_edge_is_noticed(
 def test_what_scrolls_is_reached_with_the_keyboard(
     handouts: Handouts, browser: Browser
 ) -> None:
-    """Long equations, tables and code: each gets the focus once, and an arrow key moves it."""
+    """Long equations and code: each gets the focus once, and an arrow key moves it."""
     page = open_page(browser, handouts, "student/python.html", 390)
     boxes = page.evaluate(MARK_SCROLLING)
     assert page.locator(".formula.scrolls").count() > 3
