@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from occgrid_parity.check.verdict import CaseResult
 from occgrid_parity.explain.closeness import Compared
+from occgrid_parity.model.right_formulas import other_formulas
 from occgrid_parity.model.rounding import Beams
 
 NAMED_BEAMS = 12
@@ -66,7 +67,9 @@ def compared_words(compared: Compared) -> str:
         told = "this is a mistake, not a rounding effect"
         if compared.together and 0 < rounded < wrong:
             told = f"rounding can explain {rounded} of them, but not the other {wrong - rounded}"
-        if not compared.together:
+        if compared.left_out:
+            told = f"this is exactly the reference's map {compared.left_out} (counted from 0)"
+        elif not compared.together:
             told = (
                 "some beams end on a cell edge, where rounding may choose either side, but we found no such choice "
                 "that gives all of your cells"
@@ -79,6 +82,11 @@ def compared_words(compared: Compared) -> str:
             "it differs only where a beam ends on a cell edge, and rounding may choose either side "
             f"({name_beams(pairs)})"
         )
+        if compared.formulas is not None:
+            said.append(
+                "the reference draws your map with formulas that are as right as its own "
+                f"({'; '.join(other_formulas(compared.formulas))})"
+            )
     if compared.halves:
         values = plural(compared.halves, "grey value")
         said.append(

@@ -20,17 +20,21 @@ import numpy as np
 
 from occgrid.grid import sigmoid
 from occgrid.sensor import Scan
-from occgrid_parity.explain.edge_sides import (
-    Distance,
-    SideSearch,
+from occgrid_parity.explain.chosen_ways import (
+    ChosenWays,
     TracedWays,
     UpdateModel,
 )
+from occgrid_parity.explain.edge_sides import Distance, SideSearch
+from occgrid_parity.explain.left_out import left_out
+from occgrid_parity.explain.nearest_formulas import NearestFormulas
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.model.arithmetic import U
 from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.mapper_steps import Drawn, Mapper
 from occgrid_parity.model.reference import reference_map
+from occgrid_parity.model.right_ends import RightEnds
+from occgrid_parity.model.right_formulas import Formulas
 from occgrid_parity.model.rounding import Beams, beams_of
 from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.programs.observed_map import Observed
@@ -43,7 +47,8 @@ STEP_ULPS = 8
 LAST_BITS = (
     1e-9  # other steps are looked for only where some value is off by less
 )
-MOST_CELLS = 4000
+MOST_CELLS = 4000  # that are looked at
+MOST_OPEN = 500  # cells with the nearest right formulas
 
 
 @dataclass(frozen=True)
@@ -52,8 +57,10 @@ class Compared:
 
     ``wrong`` (height, width), smallest y first, are the cells that are not the same; ``unexplained`` those of them
     that no rounding explains. ``edge_beams`` count the beams of all scans, ``steps`` are the program's own (free,
-    occupied) where they are not the contract's. ``together`` is False where each cell alone could come from rounding
-    but no choice of sides for all beams was found.
+    occupied) where they are not the contract's. ``formulas`` are those with which the reference draws the program's map
+    in every cell, where they are known (occgrid_parity.model.right_formulas). ``together`` is False where each cell
+    alone could come from rounding but no choice of sides for all beams was found. ``left_out`` is what right formulas
+    must leave out to draw the map, as ``without scan 50``.
     """
 
     status: Closeness
@@ -62,9 +69,11 @@ class Compared:
     edge_beams: tuple[int, ...] = ()
     halves: int = 0
     steps: tuple[float, float] | None = None
+    formulas: Formulas | None = None
     log_odds: bool = False
     beams: Beams | None = field(default=None, repr=False)
     together: bool = True
+    left_out: str = ""
 
 
 def compare_with_reference(
@@ -122,6 +131,7 @@ class _Search:
         self.observed = observed
         self.world = world
         self.mode = mode
+        self.own_poses = own_poses
         self.drawn = drawn
         self.wrong = wrong
         self.given = observed.log_odds is not None
@@ -131,6 +141,8 @@ class _Search:
         mapper = Mapper(world, mode.seed)
         self.start, (self.free, self.occupied) = mapper.l0, mapper.steps()
         self.steps: tuple[float, float] | None = None
+        self.formulas: Formulas | None = None
+        self.left_out = ""
 
     def result(self) -> Compared:
         if self.given:
@@ -151,13 +163,9 @@ class _Search:
         if unexplained.any() or todo.size > MOST_CELLS:
             unexplained |= open_cells
         elif todo.size:
-            search = SideSearch(
-                self.traced, self.model(), todo, self.distance()
-            )
-            together = search.solve()
-            if together:
-                edge_beams = sorted(search.turned)
-            else:
+            edge_beams = self.turned_beams(np.flatnonzero(touched))
+            together = bool(edge_beams)
+            if not together:
                 unexplained |= open_cells
         halves = int(
             np.count_nonzero(same & level & (self.pixels != _levels(expected)))
@@ -176,9 +184,11 @@ class _Search:
             tuple(edge_beams),
             halves,
             self.steps,
+            self.formulas,
             self.given,
             self.beams,
             together,
+            self.left_out,
         )
 
     @functools.cached_property
@@ -202,6 +212,44 @@ class _Search:
         touched = np.zeros(s.width * s.height, dtype=bool)
         touched[cells] = True
         return touched
+
+    def turned_beams(self, touched: Cells) -> list[int]:
+        """Beams that go another way than the contract's, so that all cells are the program's; empty if none were found.
+
+        Only those are named that change a cell in which the two maps differ.
+        """
+        ways = ChosenWays(self.traced, self.model())
+        ends = RightEnds(
+            self.world, self.mode.seed, self.beams, self.own_poses
+        )
+        nearest = NearestFormulas(ends, ways, self.fits, touched)
+        if nearest.open.size > MOST_OPEN:
+            return []
+        chosen = nearest.chosen
+        if nearest.open.size:
+            search = SideSearch(ways, chosen, nearest.open, self.distance())
+            found = search.solve()
+            # one beam that is turned is as simple as a scan that is missing
+            if not found or len(search.turned) > 1:
+                self.left_out = left_out(nearest, self.beams)
+            if not found or self.left_out:
+                return []
+            chosen = search.chosen
+        else:
+            self.formulas = nearest.formulas
+        cells = np.flatnonzero(self.wrong)
+        contract = np.flatnonzero(self.beams.ways.contract)
+        turned = ways.beams_that_differ(cells, chosen, contract)
+        return list(map(int, turned))
+
+    def fits(self, cells: Cells, values: Array) -> Mask:
+        """In which cells these log-odds are the program's."""
+        grey, pixels = _grey(values), self.pixels[cells]
+        same: Mask = pixels == np.floor(grey - self.blur)
+        same |= pixels == np.floor(grey + self.blur)
+        if self.observed.log_odds is not None:
+            same &= values == self.observed.log_odds.reshape(-1)[cells]
+        return same
 
     def model(self) -> UpdateModel:
         s = self.world.settings

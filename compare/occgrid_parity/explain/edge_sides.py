@@ -1,9 +1,10 @@
 """One choice of sides for all undecided beams that draws a program's map: the proof that rounding explains it.
 
 That each cell alone can come about is not enough: a beam that ends on the one side of an edge cannot end on the other
-side, too. So beams are turned one after the other until every cell is the program's, the best turn first. A turn must
-bring the map nearer to the program's, but for a few, and there is an end to trying: a choice that is found is a proof,
-that none is found is not.
+side, too. The search starts where the nearest right formulas put the beams
+(occgrid_parity.explain.nearest_formulas), and turns one beam after the other until every cell is the program's, the
+best turn first. A turn must bring the map nearer to the program's, but for a few, and there is an end to trying: a
+choice that is found is a proof, that none is found is not.
 """
 
 from __future__ import annotations
@@ -13,82 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from occgrid_parity.model.array_types import Cells, Mask
-from occgrid_parity.model.line_cells import contract_lines
-from occgrid_parity.model.rounding import Beams
+from occgrid_parity.explain.chosen_ways import NOTHING, ChosenWays
+from occgrid_parity.model.array_types import Cells
 
 Distance = Callable[[int, float], float]
 """distance(cell, value): how far the program's value is from it; 0 where the value is the program's."""
 
-NOTHING, FREE, OCCUPIED = 0, 1, 2
-
-CHUNK = 4096
-MOST_TRIES = 600  # and as many for each 10 cells that are open
+MOST_TRIES = 300  # and as many for each 10 cells that are open
 ASIDE = (0, 2)  # turns that may bring the map no nearer
-
-
-class UpdateModel(NamedTuple):
-    """Where a cell starts, what it can get, and its bounds."""
-
-    start: float
-    free: float
-    occupied: float
-    low: float
-    high: float
-
-
-class TracedWays:
-    """The cells of ways of beams, in the grid; ``cell`` is flat, smallest y first."""
-
-    def __init__(
-        self, beams: Beams, width: int, height: int, ways: Cells
-    ) -> None:
-        self.beams = beams
-        self.width, self.height = width, height
-        parts = [
-            self._trace(part) for part in _parts(ways[beams.ways.used[ways]])
-        ]
-        self.way, self.cell, self.hit = (
-            np.concatenate(column) for column in zip(*parts, strict=True)
-        )
-
-    def _trace(self, part: Cells) -> tuple[Cells, Cells, Mask]:
-        w = self.beams.ways
-        lines = contract_lines(
-            w.gx0[part], w.gy0[part], w.gx1[part], w.gy1[part]
-        )
-        inside = (lines.gx >= 0) & (lines.gx < self.width)
-        inside &= (lines.gy >= 0) & (lines.gy < self.height)
-        lines = lines.where(inside)
-        way = part[lines.beam]
-        return way, lines.gy * self.width + lines.gx, lines.last & w.hit[way]
-
-    def of(self, way: int) -> dict[int, int]:
-        """What one way does to each of its cells."""
-        if not self.beams.ways.used[way]:
-            return {}
-        _, cells, hit = self._trace(np.array([way]))
-        kinds = np.where(hit, OCCUPIED, FREE)
-        return dict(zip(cells.tolist(), kinds.tolist(), strict=True))
-
-
-def _index_type(
-    cells: int,
-) -> type[np.signedinteger] | type[np.unsignedinteger]:
-    """The smallest type of integers that numbers so many cells."""
-    return np.uint16 if cells <= 1 << 16 else np.int64
-
-
-def _parts(ways: Cells) -> list[Cells]:
-    return [ways[i : i + CHUNK] for i in range(0, ways.size, CHUNK)] or [ways]
-
-
-class Visits(NamedTuple):
-    """The ways that cross one cell, and what they do to it; arrays (n,)."""
-
-    beam: Cells
-    way: Cells
-    kind: Cells
 
 
 class Turn(NamedTuple):
@@ -109,39 +42,24 @@ class Step(NamedTuple):
 
 
 class SideSearch:
-    """The search; ``turned`` is the way of each beam that is not on the contract's side."""
+    """The search; ``chosen`` is the way of each beam, ``turned`` those of the beams that it has turned."""
 
     def __init__(
-        self,
-        traced: TracedWays,
-        model: UpdateModel,
-        wrong: Cells,
-        distance: Distance,
+        self, ways: ChosenWays, chosen: Cells, wrong: Cells, distance: Distance
     ) -> None:
-        self.traced = traced
-        self.model = model
+        self.ways = ways
+        self.chosen = chosen.copy()
         self.distance = distance
-        ways = traced.beams.ways
-        self.chosen = np.flatnonzero(ways.contract)  # the way of each beam
-        self.first = np.searchsorted(
-            ways.beam, np.arange(traced.beams.scan.size + 1)
-        )
-        # NumPy sorts small integers much faster
-        small = _index_type(traced.width * traced.height)
-        order = np.argsort(traced.cell.astype(small), kind="stable")
-        self.by_cell = traced.cell[order]
-        self.way = traced.way[order]
-        self.beam = ways.beam[self.way]
-        self.kind = np.where(traced.hit, OCCUPIED, FREE)[order]
+        beams = ways.traced.beams.scan.size
+        self.first = np.searchsorted(ways.ways.beam, np.arange(beams + 1))
         self.turned: dict[int, int] = {}
         self.effects: dict[int, dict[int, int]] = {}
-        self.known: dict[int, Visits] = {}
         self.open = {cell: self.off(cell) for cell in wrong.tolist()}
         self.tries = 0
 
     def solve(self) -> bool:
         """Whether a choice was found that draws the program's map."""
-        return any(self.solve_with(aside) for aside in ASIDE)
+        return not self.open or any(map(self.solve_with, ASIDE))
 
     def solve_with(self, aside: int) -> bool:
         """The same with so many turns that bring the map no nearer."""
@@ -167,20 +85,11 @@ class SideSearch:
                 return False
         return True
 
-    def visits(self, cell: int) -> Visits:
-        """All ways that cross the cell, in the order of the beams."""
-        if cell not in self.known:
-            low, high = np.searchsorted(self.by_cell, [cell, cell + 1])
-            self.known[cell] = Visits(
-                self.beam[low:high], self.way[low:high], self.kind[low:high]
-            )
-        return self.known[cell]
-
     def turns(self, aside: int) -> list[Turn]:
         """Turns that change one of the open cells, the best first."""
         cell = min(self.open)
         found: list[Turn] = []
-        for beam in np.unique(self.visits(cell).beam).tolist():
+        for beam in np.unique(self.ways.visits(cell).beam).tolist():
             start, end = int(self.first[beam]), int(self.first[beam + 1])
             if end - start == 1 or beam in self.turned:
                 continue
@@ -194,7 +103,7 @@ class SideSearch:
 
     def effect(self, way: int) -> dict[int, int]:
         if way not in self.effects:
-            self.effects[way] = self.traced.of(way)
+            self.effects[way] = self.ways.traced.of(way)
         return self.effects[way]
 
     def changed(self, beam: int, way: int) -> list[int]:
@@ -226,14 +135,4 @@ class SideSearch:
 
     def off(self, cell: int) -> float:
         """How far the cell is from the program's value, with the ways chosen now."""
-        visits = self.visits(cell)
-        mine = self.chosen[visits.beam] == visits.way
-        start, free, occupied, least, most = self.model
-        value = start
-        for kind in visits.kind[mine].tolist():
-            value += free if kind == FREE else occupied
-            if value > most:
-                value = most
-            elif value < least:
-                value = least
-        return self.distance(cell, value)
+        return self.distance(cell, self.ways.value(cell, self.chosen))

@@ -10,6 +10,7 @@ import numpy.typing as npt
 from occgrid.world import Pose
 from occgrid_parity.model.arithmetic import U
 from occgrid_parity.model.array_types import Array, Cells, Mask
+from occgrid_parity.model.mapper_steps import Ends
 from occgrid_parity.model.worlds import World
 
 
@@ -112,3 +113,13 @@ def unique_ways(
     columns_ = [table[:, c] for c in range(5)]
     flags = [table[:, c].astype(bool) for c in (5, 6, 7)]
     return Ways(*columns_, *flags)
+
+
+def ways_of_ends(ways: Ways, ends: Ends) -> Cells:
+    """For each beam (n,) the way between these ends, or the contract's where it is none of its ways."""
+    chosen = np.flatnonzero(ways.contract)
+    same = np.ones(ways.beam.shape, dtype=bool)
+    for name, column in ends._asdict().items():
+        same &= getattr(ways, name) == column[ways.beam]
+    chosen[ways.beam[same]] = np.flatnonzero(same)
+    return chosen

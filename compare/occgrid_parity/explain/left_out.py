@@ -1,0 +1,36 @@
+"""Whether a map is that of right formulas without one scan, or without one beam of every scan.
+
+Rounding may explain such a map, too, if many beams may be turned one by one. What is left out explains it more simply.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from occgrid_parity.explain.nearest_formulas import NearestFormulas
+from occgrid_parity.model.array_types import Mask
+from occgrid_parity.model.rounding import Beams
+
+NO_WAY = -1
+
+
+def left_out(nearest: NearestFormulas, beams: Beams) -> str:
+    """``without scan 50``, ``without beam 180 of every scan``; empty where nothing of this kind gives all cells."""
+    for words, gone in _gaps(beams):
+        chosen = np.where(gone, NO_WAY, nearest.chosen)
+        # most choices leave one of the open cells wrong, which is quickly seen
+        if nearest.misfits(nearest.open, chosen).size:
+            continue
+        if not nearest.misfits(nearest.touched, chosen).size:
+            return words
+    return ""
+
+
+def _gaps(beams: Beams) -> Iterator[tuple[str, Mask]]:
+    """What may be missing, and which beams that is."""
+    for scan in np.unique(beams.scan).tolist():
+        yield f"without scan {scan}", beams.scan == scan
+    for beam in np.unique(beams.number).tolist():
+        yield f"without beam {beam} of every scan", beams.number == beam

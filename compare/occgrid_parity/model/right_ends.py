@@ -1,0 +1,212 @@
+"""The cells in which beams start and end, with one right formula or another for each step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from occgrid.lesson import lesson_poses
+from occgrid.sensor import Scan, read_ranges
+from occgrid.world import Pose
+from occgrid_parity.model.arithmetic import normal_deviate
+from occgrid_parity.model.array_types import Array, Cells
+from occgrid_parity.model.mapper_steps import Ends
+from occgrid_parity.model.right_formulas import (
+    BEARINGS,
+    CELLS,
+    DIRECTIONS,
+    FUNCTIONS,
+    HEADINGS,
+    PI,
+    TURNED_POINTS,
+    Fan,
+    Formulas,
+)
+from occgrid_parity.model.rounding import Beams
+from occgrid_parity.model.worlds import World
+
+LESSON_POSES = {pose: t for t, pose in enumerate(lesson_poses())}
+
+
+class RightEnds:
+    """Where beams start and end, with one formula or another.
+
+    ``own_poses``: the program computes the lesson's poses itself.
+    """
+
+    def __init__(
+        self, world: World, seed: int | None, beams: Beams, own_poses: bool
+    ) -> None:
+        self.world = world
+        self.seed = seed
+        self.beams = beams
+        self.own_poses = own_poses
+        scans = world.scans
+        self.poses = np.array(
+            [scan.pose if isinstance(scan, Scan) else scan for scan in scans]
+        )
+        recorded = [isinstance(scan, Scan) for scan in scans]
+        self.simulated = ~np.array(recorded)[beams.scan]
+        given = [scan for scan in scans if isinstance(scan, Scan)]
+        none: list[Array] = [np.zeros(0)]
+        self.angles = np.concatenate(none + [scan.angles for scan in given])
+        self.ranges = np.concatenate(none + [scan.ranges for scan in given])
+        self.known: dict[tuple[object, ...], tuple[Array, ...]] = {}
+
+    def of(self, f: Formulas) -> Ends:
+        """Of all beams (n,), in their order."""
+        s = self.world.settings
+        x, y, _ = self._poses_of_beams(f)
+        distance, hit, _ = read_ranges(
+            self._distances(f), s.max_range, s.no_return
+        )
+        ex, ey = self._points(f, distance)
+        cell = CELLS[f.cell]
+
+        def index(value: Array, origin: float) -> Cells:
+            return cell(value, origin, s.resolution).astype(np.int64)
+
+        return Ends(
+            index(x, s.origin_x),
+            index(y, s.origin_y),
+            index(x + ex, s.origin_x),
+            index(y + ey, s.origin_y),
+            hit,
+        )
+
+    def _kept(
+        self, key: tuple[object, ...], make: Callable[[], tuple[Array, ...]]
+    ) -> tuple[Array, ...]:
+        if key not in self.known:
+            self.known[key] = make()
+        return self.known[key]
+
+    def _poses_of_scans(self, f: Formulas) -> tuple[Array, ...]:
+        """x, y, theta of each scan."""
+
+        def make() -> tuple[Array, ...]:
+            if not self.own_poses:
+                return tuple(self.poses.T)
+            numbers = FUNCTIONS[f.functions]
+            angle = HEADINGS[f.heading](np.arange(float(len(LESSON_POSES))))
+            t = [LESSON_POSES[Pose(*pose)] for pose in self.poses.tolist()]
+            x = -6.0 + 6.0 * numbers.cos(angle)
+            y = 4.0 * numbers.sin(angle)
+            return x[t], y[t], angle[t] + PI / 2.0
+
+        return self._kept(("poses", f.heading, f.functions), make)
+
+    def _poses_of_beams(self, f: Formulas) -> tuple[Array, ...]:
+        return tuple(
+            column[self.beams.scan] for column in self._poses_of_scans(f)
+        )
+
+    def _simulated_fan(self, f: Formulas) -> Fan:
+        """The simulated scans, in their order; arrays (scans, beams)."""
+        s = self.world.settings
+        i = np.arange(float(s.beams))
+        one = BEARINGS[f.bearing](s.fov, i) if s.beams > 1 else np.zeros(1)
+        theta = self._poses_of_beams(f)[2][self.simulated]
+        theta = theta.reshape(-1, s.beams)[:, :1]
+        angles = np.broadcast_to(one, (theta.size, s.beams))
+        return Fan(theta, angles, FUNCTIONS[f.functions])
+
+    def _recorded_fan(self, f: Formulas) -> Fan:
+        """The recorded beams, each a scan of its own; arrays (n, 1)."""
+        theta = self._poses_of_beams(f)[2][~self.simulated]
+        return Fan(
+            theta[:, None], self.angles[:, None], FUNCTIONS[f.functions]
+        )
+
+    def _distances(self, f: Formulas) -> Array:
+        """The ranges of all beams."""
+        ranges = np.empty(self.beams.scan.size)
+        ranges[~self.simulated] = self.ranges
+        if self.simulated.any():
+            ranges[self.simulated] = self._simulated(f).reshape(-1)
+        return ranges
+
+    def _simulated(self, f: Formulas) -> Array:
+        def make() -> tuple[Array, ...]:
+            x, y, _ = self._poses_of_beams(f)
+            shape = -1, self.world.settings.beams
+            x, y = (v[self.simulated].reshape(shape)[:, :1] for v in (x, y))
+            rays = DIRECTIONS[f.seen](self._simulated_fan(f))
+            return (self._noisy(self._cast(x, y, rays, f.distance), f),)
+
+        return self._kept(
+            ("ranges", f.heading, f.bearing, f.seen, f.distance, f.functions),
+            make,
+        )[0]
+
+    def _noisy(self, ranges: Array, f: Formulas) -> Array:
+        if self.seed is None:
+            return ranges
+        s = self.world.settings
+        scan = self.beams.scan[self.simulated]
+        number = self.beams.number[self.simulated]
+        deviates = normal_deviate(
+            self.seed, scan, number, FUNCTIONS[f.functions]
+        )
+        noise = s.noise_std * deviates.reshape(ranges.shape)
+        return np.clip(ranges + noise, 0.0, s.max_range)
+
+    def _cast(
+        self, x: Array, y: Array, rays: tuple[Array, Array], distance: str
+    ) -> Array:
+        """Ranges (scans, beams) from points (scans, 1)."""
+        longest = self.world.settings.max_range
+        rdx, rdy = rays
+        if distance == "a share of the maximum range":
+            rdx, rdy = (x + longest * rdx) - x, (y + longest * rdy) - y
+        nearest = np.full(rdx.shape, np.inf)
+        for wall in self.world.walls:
+            sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
+            qpx, qpy = wall.x0 - x, wall.y0 - y
+            rxs = rdx * sy - rdy * sx
+            parallel = np.abs(rxs) < 1e-12
+            rxs = np.where(parallel, 1.0, rxs)
+            t = (qpx * sy - qpy * sx) / rxs
+            u = (qpx * rdy - qpy * rdx) / rxs
+            meets = ~parallel & (t >= 0.0) & (u >= 0.0) & (u <= 1.0)
+            if distance == "a share of the maximum range":
+                t = t * longest
+            elif distance == "along x or y" and 0.0 in (sx, sy):
+                to, ray = (qpx, rdx) if sx == 0.0 else (qpy, rdy)
+                t = np.where(meets, to / np.where(meets, ray, 1.0), np.inf)
+            nearest = np.where(meets & (t < nearest), t, nearest)
+        return np.where(nearest <= longest, nearest, longest)
+
+    def _points(self, f: Formulas, distance: Array) -> tuple[Array, Array]:
+        """The ends of all beams, from the robot."""
+        simulated = self.simulated
+        ex, ey = np.empty(distance.size), np.empty(distance.size)
+        for mine, fan in (
+            (simulated, self._simulated_fan),
+            (~simulated, self._recorded_fan),
+        ):
+            if not mine.any():
+                continue
+            if f.drawn == TURNED_POINTS:
+                of = fan(f)
+                z = distance[mine].reshape(of.angles.shape)
+                lx, ly = (z * part for part in of.of(of.angles))
+                c, s = of.of(of.theta)
+                points = c * lx - s * ly, s * lx + c * ly
+                ex[mine], ey[mine] = (part.reshape(-1) for part in points)
+                continue
+            cos, sin = self._drawn(f, bool(mine is simulated), fan)
+            ex[mine], ey[mine] = distance[mine] * cos, distance[mine] * sin
+        return ex, ey
+
+    def _drawn(
+        self, f: Formulas, simulated: bool, fan: Callable[[Formulas], Fan]
+    ) -> tuple[Array, ...]:
+        key = "drawn", simulated, f.heading, f.bearing, f.drawn, f.functions
+        return self._kept(
+            key,
+            lambda: tuple(
+                part.reshape(-1) for part in DIRECTIONS[f.drawn](fan(f))
+            ),
+        )

@@ -1,0 +1,189 @@
+"""Programs with other formulas that are as right as the contract's lose nothing; those that leave out a scan do."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from occgrid.sensor import Scan
+from occgrid.world import Pose
+from occgrid_parity.check.wording import compared_words
+from occgrid_parity.explain.closeness import Compared, compare_with_reference
+from occgrid_parity.model.arithmetic import PLATFORM
+from occgrid_parity.model.beam_ways import ways_of_ends
+from occgrid_parity.model.mapper_steps import Mapper
+from occgrid_parity.model.right_ends import RightEnds
+from occgrid_parity.model.right_formulas import (
+    CHOICES,
+    FUNCTIONS,
+    Formulas,
+    other_formulas,
+)
+from occgrid_parity.model.rounding import Beams, beams_of
+from occgrid_parity.model.worlds import world_of
+from occgrid_parity.programs.observed_map import Observed
+from occgrid_parity.suite.cases import Case, built_in, case
+from occgrid_parity.suite.modes import NOISE_FREE
+
+NAMES = ("built-in lesson", "lesson", "formats", "asymmetric", "mixed")
+
+
+def ends_of(name: str, seed: int | None) -> tuple[RightEnds, Beams]:
+    own_poses = name == "built-in lesson"
+    world = world_of(built_in() if own_poses else case(name))
+    beams = beams_of(world, seed, own_poses)
+    return RightEnds(world, seed, beams, own_poses), beams
+
+
+@pytest.mark.parametrize("seed", [None, 0])
+@pytest.mark.parametrize("name", NAMES)
+def test_the_contracts_formulas_put_beams_where_the_contract_does(
+    name: str, seed: int | None
+) -> None:
+    ends, beams = ends_of(name, seed)
+    found = ends.of(Formulas())
+    ways = beams.ways
+    mine = ways.contract & ways.used
+    for column, cells in found._asdict().items():
+        assert (getattr(ways, column)[mine] == cells[ways.beam[mine]]).all()
+
+
+@pytest.mark.parametrize("functions", FUNCTIONS)
+@pytest.mark.parametrize("step", CHOICES)
+@pytest.mark.parametrize("name", NAMES)
+def test_every_formula_puts_every_beam_on_one_of_its_ways(
+    name: str, step: str, functions: str
+) -> None:
+    """What may differ by rounding holds for each of them: they are right."""
+    ends, beams = ends_of(name, 0)
+    ways = beams.ways
+    for formula in CHOICES[step]:
+        formulas = Formulas(functions=functions)._replace(**{step: formula})
+        found = ends.of(formulas)
+        chosen = ways_of_ends(ways, found)
+        for column, cells in found._asdict().items():
+            same = getattr(ways, column)[chosen] == cells
+            assert same[beams.used].all(), (formula, column)
+
+
+class Lesson(Mapper):
+    """The lesson's program as somebody else writes it: its own poses, the machine's functions."""
+
+    def angles(self) -> list[float]:
+        return [2.0 * math.pi * t / 120 for t in range(120)]
+
+    def scans(self) -> Iterator[Scan]:
+        bearings = self.bearings()
+        for a in self.angles():
+            x, y = -6.0 + 6.0 * math.cos(a), 4.0 * math.sin(a)
+            pose = Pose(x, y, a + math.pi / 2.0)
+            yield Scan(pose, bearings, self.simulate(pose, bearings))
+
+
+class AddedHeadings(Lesson):
+    def angles(self) -> list[float]:
+        angles, angle = [], 0.0
+        for _ in range(120):
+            angles.append(angle)
+            angle += 2.0 * math.pi / 120.0
+        return angles
+
+
+class Rotated(Lesson):
+    def endpoint(
+        self, pose: Pose, beam: np.ndarray, z: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        c, s = math.cos(pose.theta), math.sin(pose.theta)
+        bearings = self.bearings().tolist()
+        cos = np.array([c * math.cos(b) - s * math.sin(b) for b in bearings])
+        sin = np.array([s * math.cos(b) + c * math.sin(b) for b in bearings])
+        return pose.x + z * cos, pose.y + z * sin
+
+
+class Wrapped(Lesson):
+    def beam(self, theta: float, angles: np.ndarray) -> np.ndarray:
+        return np.fmod(theta + angles, 2.0 * math.pi)
+
+
+class RotatedAndAdded(Rotated, AddedHeadings):
+    pass
+
+
+class FromTheFirst(Lesson):
+    def bearings(self) -> np.ndarray:
+        bearings, bearing = [], -math.pi / 2.0
+        for _ in range(181):
+            bearings.append(bearing)
+            bearing += math.pi / 180.0
+        return np.array(bearings)
+
+
+def compared_lesson(program: type[Lesson]) -> Compared:
+    one: Case = built_in()
+    drawn = program(world_of(one), None, PLATFORM).draw()
+    observed = Observed(drawn.pixels.astype(np.uint16), None, "")
+    return compare_with_reference(observed, one, NOISE_FREE, own_poses=True)
+
+
+@pytest.mark.parametrize(
+    ("program", "named"),
+    [
+        (Lesson, ""),
+        (AddedHeadings, "the robot's angle on the ellipse: added up"),
+        (Rotated, "directions of beams on the map: a rotation matrix"),
+        (Wrapped, "the remainder of heading + bearing by 2 pi"),
+        (RotatedAndAdded, "directions of beams on the map: a rotation matrix"),
+        (FromTheFirst, "bearings: added up"),
+    ],
+)
+def test_a_right_program_with_other_formulas_is_right_and_they_are_named(
+    program: type[Lesson], named: str
+) -> None:
+    compared = compared_lesson(program)
+    assert compared.status == "edges"
+    assert compared.formulas is not None
+    assert named in "; ".join(other_formulas(compared.formulas))
+    assert named in compared_words(compared)
+    assert compared.edge_beams
+
+
+def without(program: type[Lesson], scan: int, beam: int) -> type[Lesson]:
+    """The program that leaves out a scan, and a beam of every scan; none where the number is negative."""
+
+    class Shorter(program):  # type: ignore[misc, valid-type]
+        def scans(self) -> Iterator[Scan]:
+            for number, (pose, angles, ranges) in enumerate(super().scans()):
+                ranges = np.where(np.arange(181) == beam, np.nan, ranges)
+                if number != scan:
+                    yield Scan(pose, angles, ranges)
+
+    return Shorter
+
+
+@pytest.mark.parametrize("scan", [0, 10, 50, 105, 119])
+def test_no_rounding_explains_a_scan_that_is_left_out(scan: int) -> None:
+    """In scans 50 and 105, beams could be turned one by one so that the map is the same."""
+    compared = compared_lesson(without(Lesson, scan, -1))
+    assert compared.status == "differs"
+    assert compared.left_out == f"without scan {scan}"
+    assert compared_words(compared).endswith(
+        f"this is exactly the reference's map without scan {scan} (counted from 0)"
+    )
+
+
+@pytest.mark.parametrize("beam", [0, 90, 180])
+def test_nor_a_beam_of_every_scan(beam: int) -> None:
+    compared = compared_lesson(without(AddedHeadings, -1, beam))
+    assert compared.status == "differs"
+
+
+@pytest.mark.parametrize("scan", [1, 20])
+def test_a_scan_that_changes_no_pixel_cannot_be_missed(scan: int) -> None:
+    whole, shorter = (
+        program(world_of(built_in()), None, PLATFORM).draw()
+        for program in (Lesson, without(Lesson, scan, -1))
+    )
+    assert (whole.pixels == shorter.pixels).all()
