@@ -3,8 +3,8 @@
 That each cell alone can come about is not enough: a beam that ends on the one side of an edge cannot end on the other
 side, too. The search starts where the nearest right formulas put the beams
 (occgrid_parity.explain.nearest_formulas), and turns one beam after the other until every cell is the program's, the
-best turn first. A turn must bring the map nearer to the program's, but for a few, and there is an end to trying: a
-choice that is found is a proof, that none is found is not.
+best turn first. Each turn must bring the map nearer to the program's, and there is an end to trying: a choice that is
+found is a proof, that none is found is not.
 """
 
 from __future__ import annotations
@@ -21,7 +21,6 @@ Distance = Callable[[int, float], float]
 """distance(cell, value): how far the program's value is from it; 0 where the value is the program's."""
 
 MOST_TRIES = 300  # and as many for each 10 cells that are open
-ASIDE = (0, 2)  # turns that may bring the map no nearer
 
 
 class Turn(NamedTuple):
@@ -37,7 +36,6 @@ class Step(NamedTuple):
 
     beam: int
     before: int
-    aside: int
     left: list[Turn]
 
 
@@ -59,33 +57,26 @@ class SideSearch:
 
     def solve(self) -> bool:
         """Whether a choice was found that draws the program's map."""
-        return not self.open or any(map(self.solve_with, ASIDE))
-
-    def solve_with(self, aside: int) -> bool:
-        """The same with so many turns that bring the map no nearer."""
-        self.tries = 0
         most = MOST_TRIES + MOST_TRIES * len(self.open) // 10
         steps: list[Step] = []
-        turns = self.turns(aside)
+        turns = self.turns() if self.open else []
         while self.open:
             if turns and self.tries < most:
                 turn = turns.pop(0)
-                steps.append(
-                    Step(turn.beam, int(self.chosen[turn.beam]), aside, turns)
-                )
-                aside -= turn.gain >= 0.0
+                before = int(self.chosen[turn.beam])
+                steps.append(Step(turn.beam, before, turns))
                 self.turned[turn.beam] = turn.way
                 self.apply(turn.beam, turn.way)
-                turns = self.turns(aside) if self.open else []
+                turns = self.turns() if self.open else []
             elif steps:
-                beam, before, aside, turns = steps.pop()
+                beam, before, turns = steps.pop()
                 self.apply(beam, before)
                 del self.turned[beam]
             else:
                 return False
         return True
 
-    def turns(self, aside: int) -> list[Turn]:
+    def turns(self) -> list[Turn]:
         """Turns that change one of the open cells, the best first."""
         cell = min(self.open)
         found: list[Turn] = []
@@ -97,7 +88,7 @@ class SideSearch:
             for way in range(start, end):
                 if self.effect(way).get(cell, NOTHING) != current:
                     gain = self.gain(beam, way)
-                    if gain < 0.0 or aside > 0:
+                    if gain < 0.0:
                         found.append(Turn(gain, beam, way))
         return sorted(found)
 

@@ -102,21 +102,24 @@ class RightEnds:
             column[self.beams.scan] for column in self._poses_of_scans(f)
         )
 
-    def _simulated_fan(self, f: Formulas) -> Fan:
-        """The simulated scans, in their order; arrays (scans, beams)."""
+    def _fan(self, f: Formulas, simulated: bool) -> Fan:
+        """The simulated scans, (scans, beams), or the recorded beams, each of them a scan of its own."""
+        numbers = FUNCTIONS[f.functions]
+        theta = self._poses_of_beams(f)[2][self.simulated == simulated]
+        if not simulated:
+            return Fan(theta[:, None], self.angles[:, None], numbers)
         s = self.world.settings
         i = np.arange(float(s.beams))
-        one = BEARINGS[f.bearing](s.fov, i) if s.beams > 1 else np.zeros(1)
-        theta = self._poses_of_beams(f)[2][self.simulated]
-        theta = theta.reshape(-1, s.beams)[:, :1]
-        angles = np.broadcast_to(one, (theta.size, s.beams))
-        return Fan(theta, angles, FUNCTIONS[f.functions])
+        angles = BEARINGS[f.bearing](s.fov, i) if i.size > 1 else np.zeros(1)
+        return Fan(theta[:: s.beams, None], angles[None, :], numbers)
 
-    def _recorded_fan(self, f: Formulas) -> Fan:
-        """The recorded beams, each a scan of its own; arrays (n, 1)."""
-        theta = self._poses_of_beams(f)[2][~self.simulated]
-        return Fan(
-            theta[:, None], self.angles[:, None], FUNCTIONS[f.functions]
+    def _directions(
+        self, f: Formulas, name: str, simulated: bool
+    ) -> tuple[Array, ...]:
+        """Cosines and sines; shaped as in ``_fan``."""
+        return self._kept(
+            ("directions", name, simulated, f.heading, f.bearing, f.functions),
+            lambda: DIRECTIONS[name](self._fan(f, simulated)),
         )
 
     def _distances(self, f: Formulas) -> Array:
@@ -132,8 +135,9 @@ class RightEnds:
             x, y, _ = self._poses_of_beams(f)
             shape = -1, self.world.settings.beams
             x, y = (v[self.simulated].reshape(shape)[:, :1] for v in (x, y))
-            rays = DIRECTIONS[f.seen](self._simulated_fan(f))
-            return (self._noisy(self._cast(x, y, rays, f.distance), f),)
+            rdx, rdy = self._directions(f, f.seen, True)
+            ranges = self._cast((x, y), (rdx, rdy), f.distance)
+            return (self._noisy(ranges, f),)
 
         return self._kept(
             ("ranges", f.heading, f.bearing, f.seen, f.distance, f.functions),
@@ -153,11 +157,14 @@ class RightEnds:
         return np.clip(ranges + noise, 0.0, s.max_range)
 
     def _cast(
-        self, x: Array, y: Array, rays: tuple[Array, Array], distance: str
+        self,
+        point: tuple[Array, Array],
+        ray: tuple[Array, Array],
+        distance: str,
     ) -> Array:
         """Ranges (scans, beams) from points (scans, 1)."""
         longest = self.world.settings.max_range
-        rdx, rdy = rays
+        (x, y), (rdx, rdy) = point, ray
         if distance == "a share of the maximum range":
             rdx, rdy = (x + longest * rdx) - x, (y + longest * rdy) - y
         nearest = np.full(rdx.shape, np.inf)
@@ -173,40 +180,32 @@ class RightEnds:
             if distance == "a share of the maximum range":
                 t = t * longest
             elif distance == "along x or y" and 0.0 in (sx, sy):
-                to, ray = (qpx, rdx) if sx == 0.0 else (qpy, rdy)
-                t = np.where(meets, to / np.where(meets, ray, 1.0), np.inf)
+                to, rd = (qpx, rdx) if sx == 0.0 else (qpy, rdy)
+                t = to / np.where(meets, rd, 1.0)
             nearest = np.where(meets & (t < nearest), t, nearest)
         return np.where(nearest <= longest, nearest, longest)
 
     def _points(self, f: Formulas, distance: Array) -> tuple[Array, Array]:
         """The ends of all beams, from the robot."""
-        simulated = self.simulated
         ex, ey = np.empty(distance.size), np.empty(distance.size)
-        for mine, fan in (
-            (simulated, self._simulated_fan),
-            (~simulated, self._recorded_fan),
-        ):
+        for simulated in (True, False):
+            mine = self.simulated == simulated
             if not mine.any():
                 continue
+            beams = self.world.settings.beams if simulated else 1
+            z = distance[mine].reshape(-1, beams)
             if f.drawn == TURNED_POINTS:
-                of = fan(f)
-                z = distance[mine].reshape(of.angles.shape)
-                lx, ly = (z * part for part in of.of(of.angles))
-                c, s = of.of(of.theta)
-                points = c * lx - s * ly, s * lx + c * ly
-                ex[mine], ey[mine] = (part.reshape(-1) for part in points)
-                continue
-            cos, sin = self._drawn(f, bool(mine is simulated), fan)
-            ex[mine], ey[mine] = distance[mine] * cos, distance[mine] * sin
+                x, y = _turned(self._fan(f, simulated), z)
+            else:
+                cos, sin = self._directions(f, f.drawn, simulated)
+                x, y = z * cos, z * sin
+            ex[mine], ey[mine] = x.reshape(-1), y.reshape(-1)
         return ex, ey
 
-    def _drawn(
-        self, f: Formulas, simulated: bool, fan: Callable[[Formulas], Fan]
-    ) -> tuple[Array, ...]:
-        key = "drawn", simulated, f.heading, f.bearing, f.drawn, f.functions
-        return self._kept(
-            key,
-            lambda: tuple(
-                part.reshape(-1) for part in DIRECTIONS[f.drawn](fan(f))
-            ),
-        )
+
+def _turned(fan: Fan, z: Array) -> tuple[Array, Array]:
+    """Ends in the robot's frame, turned by its heading."""
+    cos, sin = fan.of(fan.angles)
+    x, y = z * cos, z * sin
+    c, s = fan.of(fan.theta)
+    return c * x - s * y, s * x + c * y

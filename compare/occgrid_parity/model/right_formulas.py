@@ -80,7 +80,7 @@ BEARINGS: Mapping[str, Callable[[float, Array], Array]] = {
 
 
 class Fan(NamedTuple):
-    """The headings of scans (..., 1) and the bearings of their beams (..., n), in radians."""
+    """The headings of scans (scans, 1) and the bearings of their beams (1 or scans, n), in radians."""
 
     theta: Array
     angles: Array
@@ -124,7 +124,7 @@ def _added_from_first(fan: Fan) -> tuple[Array, Array]:
     n = fan.angles.shape[-1]
     if n == 1:
         return fan.of(fan.sum)
-    wide = float(fan.angles.flat[n - 1]) - float(fan.angles.flat[0])
+    wide = float(fan.angles[0, -1]) - float(fan.angles[0, 0])
     first = fan.theta + fan.angles[..., :1]
     return fan.of(added_up(first, wide / (n - 1.0), n))
 
