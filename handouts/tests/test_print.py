@@ -6,6 +6,8 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import dataclass
+from html import unescape
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,6 +16,8 @@ import pytest
 from built_handouts import REQUIRE_ALL, Handouts, needs
 from occgrid_handouts.languages import LANGUAGES
 from occgrid_handouts.project import ROOT
+
+POINTS_PER_MM = 72 / 25.4
 
 
 def test_pdfs_are_tagged_and_pdf_ua(handouts: Handouts) -> None:
@@ -71,15 +75,137 @@ def test_every_listing_is_printed_whole(handouts: Handouts) -> None:
                     assert plain in joined, (language.id, name, line)
 
 
-def test_nothing_leaves_the_paper(handouts: Handouts) -> None:
+def test_nothing_leaves_the_margins(handouts: Handouts) -> None:
+    """Punctuation alone hangs into the right margin, by less than 3 pt."""
     for path in handouts.pdfs():
         boxes = pdf_text(path, "-bbox")
         for page in boxes.split("<page ")[1:]:
-            width, height = re.findall(r'(?:width|height)="([\d.]+)"', page)
+            width, height = map(
+                float, re.findall(r'(?:width|height)="([\d.]+)"', page)[:2]
+            )
+            margin = (21 if width < height else 8) * POINTS_PER_MM
             right = [float(x) for x in re.findall(r'xMax="([\d.]+)"', page)]
             below = [float(y) for y in re.findall(r'yMax="([\d.]+)"', page)]
-            assert max(right) <= float(width) - 20, path
-            assert max(below) <= float(height) - 20, path
+            assert max(right) <= width - margin + 3, path
+            assert max(below) <= height - 20, path
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line of a page, in points from the upper left corner."""
+
+    left: float
+    right: float
+    top: float
+    words: str
+
+
+def lines_of(path: Path) -> list[list[Line]]:
+    """The lines of each column of a PDF's pages from top to bottom, without the footer."""
+    columns = []
+    for page in pdf_text(path, "-bbox-layout").split("<page ")[1:]:
+        width, height = map(
+            float, re.findall(r'(?:width|height)="([\d.]+)"', page)[:2]
+        )
+        lines = []
+        for line in page.split("<line ")[1:]:
+            left, top, right, _ = map(
+                float, re.findall(r'[xy]M(?:in|ax)="([\d.]+)"', line)[:4]
+            )
+            words = " ".join(re.findall(r">([^<>]+)</word>", line))
+            if top < height - 50:
+                lines.append(Line(left, right, top, unescape(words)))
+        lines.sort(key=lambda line: (line.top, line.left))
+        middle = width / 2 if width > height else width
+        columns.append([line for line in lines if line.left < middle])
+        columns.append([line for line in lines if line.left >= middle])
+    return [column for column in columns if column]
+
+
+def test_what_leads_over_stays_with_what_follows(handouts: Handouts) -> None:
+    """No page or column ends with words and a colon, and none begins with an equation."""
+    for path in handouts.pdfs():
+        code = {
+            " ".join(line.split())
+            for snippets in handouts.snippets.values()
+            for snippet in snippets.values()
+            for line in snippet.code.splitlines()
+        }
+        for column in lines_of(path):
+            # a colon in the middle of a paragraph stands at the right margin
+            last = column[-1]
+            within = last.right > max(line.right for line in column) - 5
+            words = re.sub(r"^\d+ ", "", last.words)  # a line number
+            leads_over = words.endswith(":") and words not in code
+            assert within or not leads_over, (path, words)
+            # an equation is centred, a sentence above it is not
+            margin = min(line.left for line in column)
+            top = column[0].top
+            begins = [line for line in column if line.top < top + 25]
+            numbered = [
+                line.words
+                for line in begins
+                if re.fullmatch(r"\(\d+\)", line.words)
+                and all(one.left > margin + 10 for one in begins)
+            ]
+            assert not numbered, (path, numbered)
+
+
+def test_no_few_lines_of_a_listing_stand_alone(handouts: Handouts) -> None:
+    """Where a page ends within a listing, at least four of its lines stand on each side."""
+    parts = 0
+    for path in handouts.pdfs():
+        whole = {
+            (snippet.first, snippet.last)
+            for snippet in handouts.snippets[path.stem].values()
+        }
+        for column in lines_of(path):
+            numbers = [
+                int(found[0])
+                for line in column
+                if 62 < line.left < 85
+                and (found := re.match(r"\d+(?= |$)", line.words))
+            ]
+            for run in consecutive(numbers):
+                if (
+                    len(run) > 1
+                    and run[0] > 1
+                    and (run[0], run[-1]) not in whole
+                ):
+                    assert len(run) >= 4, (path, run)
+                    parts += 1
+    assert parts > 20
+
+
+def consecutive(numbers: list[int]) -> list[list[int]]:
+    """The runs of numbers of which each is one more than the last."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    return runs
+
+
+def test_code_within_a_sentence_stays_on_one_line(handouts: Handouts) -> None:
+    """`--plain` is not broken after its hyphens, nor an expression at a space."""
+    for path in handouts.pdfs():
+        name = path.relative_to(handouts.folder).with_suffix(".html")
+        body = handouts.page(name.as_posix()).find("main")
+        assert body is not None
+        printed = "\n".join(
+            line.words for column in lines_of(path) for line in column
+        )
+        inline = {
+            " ".join(code.text().split())
+            for paragraph in body.walk()
+            if paragraph.tag in ("p", "li", "dd")
+            for code in paragraph.walk()
+            if code.tag == "code"
+        }
+        assert len(inline) > 20
+        assert [code for code in inline if code not in printed] == []
 
 
 @pytest.mark.long
