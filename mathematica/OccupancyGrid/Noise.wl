@@ -51,7 +51,7 @@ NormalDeviate[___] := wrongArguments[NormalDeviate];
 (* [snippet: range-noise] *)
 AddRangeNoise[ranges_List?numbersQ, noiseStd_, seed_, scan_, zMax_] := Module[
   {deviates},
-  (* a beam that met no wall gets noise too, as in the lesson (6.5) *)
+  (* a beam that met no wall gets noise too, as in the lesson *)
   deviates = NormalDeviate[seed, scan, Range[Length[ranges]] - 1];
   clamp[ranges + (noiseStd*deviates), 0., zMax]];
 (* [/snippet] *)

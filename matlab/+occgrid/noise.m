@@ -75,7 +75,7 @@ classdef noise
             %
             %   ranges: (n, 1) metres, or (n, m) for m scans side by side;
             %   scan: their numbers from 0, (1, m). A beam that met no wall
-            %   gets noise too, as in the lesson (6.1).
+            %   gets noise too, as in the lesson.
             beam = (0:size(ranges, 1) - 1)';
             scan = repmat(scan, size(ranges, 1), 1);
             beam = repmat(beam, 1, size(ranges, 2));

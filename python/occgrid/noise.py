@@ -67,7 +67,7 @@ def add_range_noise(
 ) -> Array:
     """Simulated ranges (n,) in metres with noise, within [0, z_max].
 
-    A beam that met no wall gets noise too, as in the lesson (6.1).
+    A beam that met no wall gets noise too, as in the lesson.
     """
     deviates = normal_deviate(seed, scan, np.arange(ranges.size))
     noisy = ranges + noise_std * deviates

@@ -20,7 +20,7 @@ double normal_deviate(std::uint32_t seed, std::uint32_t scan,
 
 /// Simulated ranges (n, metres) with noise of standard deviation noise_std
 /// (metres), kept within [0, z_max]: (n). scan is the scan's number in its
-/// scenario. A beam that met no wall gets noise too, as in the lesson (6.1).
+/// scenario. A beam that met no wall gets noise too, as in the lesson.
 Eigen::ArrayXd add_range_noise(const Eigen::ArrayXd& ranges, double noise_std,
                                std::uint32_t seed, std::uint32_t scan,
                                double z_max);
