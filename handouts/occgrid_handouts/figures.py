@@ -79,6 +79,11 @@ def _figure(path: Path, width: float, height: float) -> Iterator[Axes]:
         figure.savefig(path, format="svg", metadata={"Date": None})
 
 
+def _signed(value: float) -> str:
+    """A number with its sign, as it is printed in the text."""
+    return f"{value:+.2f}".replace("-", "\N{MINUS SIGN}")
+
+
 def _extent() -> tuple[float, float, float, float]:
     s = lesson_settings()
     right = s.origin_x + s.width * s.resolution
@@ -155,22 +160,22 @@ def _sigmoid(axes: Axes) -> None:
     axes.axhline(0.5, color=GREY, lw=0.6, ls=":")
     axes.axvline(0.0, color=GREY, lw=0.6, ls=":")
     axes.plot(x, sigmoid(x), color=INK, lw=1.6)
-    for p, name, color in (
-        (settings.p_free, "p_{free}", BLUE),
-        (settings.p_occ, "p_{occ}", OCCUPIED),
+    # each label on the side where no line is
+    for p, name, color, side in (
+        (settings.p_free, "p_{free}", BLUE, -1),
+        (settings.p_occ, "p_{occ}", OCCUPIED, 1),
     ):
         at = logit(p)
         axes.plot([at, at], [0.0, p], color=color, lw=1.0, ls="--")
         axes.plot([-5.0, at], [p, p], color=color, lw=1.0, ls="--")
         axes.plot([at], [p], "o", color=color, markersize=6)
         axes.text(
-            at + 0.2,
-            p - 0.02,
-            f"${name}$ = {p:g}: {at:+.2f}",
-            ha="left",
-            va="top",
+            at + side * 0.2,
+            p - side * 0.02,
+            f"${name}$ = {p:g}\nlog-odds {_signed(at)}",
+            ha="left" if side > 0 else "right",
+            va="top" if side > 0 else "bottom",
             color=color,
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
         )
     axes.set_xlim(-5.0, 5.0)
     axes.set_ylim(0.0, 1.0)
@@ -228,7 +233,7 @@ def _one_beam(axes: Axes, beam: OneBeam) -> None:
         height = beam.y + (gx + 0.5 - beam.x) * slope - gy
         labels = (
             (0.06, 0.34 if height > 0.75 else 0.74, f"k = {k}", "left", INK),
-            (0.95, 0.07, f"{value:+.2f}", "right", BLUE),
+            (0.95, 0.07, _signed(value), "right", BLUE),
         )
         for x, y, text, side, color in labels:
             axes.text(
