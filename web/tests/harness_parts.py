@@ -42,6 +42,8 @@ SCENARIOS = (
     "outside",
     "powers",
     "noise-half",
+    "noise-clamp",
+    "flaser",
 )
 SEED = 3
 

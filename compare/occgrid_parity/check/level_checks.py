@@ -10,6 +10,7 @@ from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.function_levels import check_function
 from occgrid_parity.check.grey import grey_or_unasked
 from occgrid_parity.check.levels import (
+    ADDED,
     BAD_INPUT,
     FILE,
     FIRST_LOOK,
@@ -24,6 +25,7 @@ from occgrid_parity.check.own_numbers import check_added, check_log_odds
 from occgrid_parity.check.program_maps import ComparedMap, NoMap, ProgramMaps
 from occgrid_parity.check.verdict import CaseResult, Level, LevelStatus
 from occgrid_parity.check.yaml_level import check_yaml
+from occgrid_parity.explain.other_lessons import other_lesson
 from occgrid_parity.explain.symmetry import (
     SYMMETRIES,
     is_upright,
@@ -41,8 +43,8 @@ class LevelChecks:
     """The levels of one check.
 
     ``levels`` is their record, ``differing`` the first map that differs, and ``failed_run`` the first scenario of which
-    there is no map. ``misread`` says that maps have another size than the scenario's because they are turned or
-    transposed.
+    there is no map. ``other_lesson`` says which lesson a program draws in place of the right one, if that is known.
+    ``misread`` says that maps have another size than the scenario's because they are turned or transposed.
     """
 
     def __init__(self, maps: ProgramMaps, options: Options) -> None:
@@ -58,6 +60,7 @@ class LevelChecks:
         self.differing: ComparedMap | None = None
         self.failed_run: tuple[Case, Mode] | None = None
         self.misread = False
+        self.other_lesson = ""
         self.costly = 0
         self.cannot_start = False
         self.no_picture = False
@@ -79,6 +82,13 @@ class LevelChecks:
         self._add_bad_input()
         for function in self.runner.functions:
             self.levels.append(check_function(self.runner, function))
+
+    def _is_other_lesson(self, found: ComparedMap) -> bool:
+        """Whether a program that has the lesson built in draws another lesson, exactly; then its map is upright."""
+        if found.case.is_file:
+            return False
+        self.other_lesson = other_lesson(found.observed, found.mode)
+        return bool(self.other_lesson)
 
     def _compare(self, case: Case, mode: Mode) -> ComparedMap:
         """The program's map. Raises NoMap, also where asking once more makes no sense."""
@@ -143,7 +153,9 @@ class LevelChecks:
                 self._fail_orientation(names, case, found)
                 return
             if found is not None:
-                upright = is_upright(observed.observed, case, mode)
+                upright = self._is_other_lesson(found) or is_upright(
+                    observed.observed, case, mode
+                )
         if upright:
             self._add(ORIENTATION, "passed")
         elif upright is None:
@@ -170,6 +182,8 @@ class LevelChecks:
                 with contextlib.suppress(NoMap):
                     first.append(self._compare(case, mode))
             level = check(self.maps, first)
+            if check is check_added and self.other_lesson:
+                level = Level(*ADDED, "passed")
             self.levels.append(level)
             differing = [x for x in first if x.compared.status == "differs"]
             if level.status == "failed" and differing:

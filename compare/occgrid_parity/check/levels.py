@@ -53,12 +53,16 @@ LEVELS = (
     LevelPlan("outside", "outside the grid", ("outside",)),
     LevelPlan("simulated", "simulated scans", ("asymmetric",)),
     LevelPlan("recorded", "recorded scans", ("flaser", "robotlaser1")),
-    LevelPlan("mixed", "simulated and recorded scans together", ("mixed",)),
+    LevelPlan(
+        "mixed",
+        "simulated and recorded scans together",
+        ("mixed", "min-range"),
+    ),
     LevelPlan("powers", "odds that are powers of 2", ("powers",)),
     LevelPlan(
         "formats",
         "all that the file format allows",
-        ("formats",),
+        ("formats", "wall-ends"),
         explains=False,
     ),
     LevelPlan("twin", "the well-conditioned lesson", (TWIN,), explains=False),
@@ -66,7 +70,7 @@ LEVELS = (
     LevelPlan(
         "noise",
         "seeded noise",
-        ("asymmetric", "noise-half", TWIN, LESSON),
+        ("asymmetric", "noise-half", "noise-clamp", TWIN, LESSON),
         noisy=True,
     ),
     LevelPlan(

@@ -22,6 +22,7 @@ from occgrid_parity.explain.scan_choice import chosen_scans
 from occgrid_parity.explain.seen import observations
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.runner import Runner
+from occgrid_parity.suite.cases import LESSON
 
 
 @dataclass(frozen=True)
@@ -94,12 +95,18 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
         if twice:
             _think_of_own_noise(maps)
             return Conclusion("differs", twice, seen=[twice])
-    scans = _scans_seen(maps)
+    if checks.other_lesson:
+        scans = [wording.maps_of_scans(checks.other_lesson, [LESSON])]
+        summary = scans[0]
+    else:
+        scans = _scans_seen(maps)
     seen = observations(_evidence(maps), maps.runner.reads_scenarios) + scans
     explanation = Explanation(maps, options, checks.misread)
     difference = None
     if differing is not None:
         difference = explanation.first_difference(differing, strict=False)
+    if checks.other_lesson:  # that is the cause, and a map has one only
+        return Conclusion("differs", summary, difference, seen=seen)
     cause: Cause | None = explanation.cause()
     assert cause is not None
     if not cause.candidates and not seen:

@@ -1,4 +1,4 @@
-"""Whether a map is the reference's of only some of the scans: the first 119, all but the first, every other."""
+"""Whether a map is the reference's of other scans: the first 119, all but the first, every other, in reverse order."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import numpy as np
 from occgrid.map_writer import pixel
 from occgrid.scenario import Scenario
 from occgrid_parity.explain.closeness import (
+    Compared,
     compare_with_reference,
     differing,
 )
@@ -20,10 +21,11 @@ from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
 LEAST_SCANS = 3
+NEAREST = 2  # of those that come nearer, how many are compared cell by cell
 
 
 def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
-    """Which scans the map shows, as ``without the first scan``; empty where it is no such map.
+    """Which scans the map shows, in words that follow "exactly the reference's"; empty where it is no such map.
 
     A seed's noise goes by the number of the scan, so there only the first scans are looked at.
     """
@@ -34,29 +36,49 @@ def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
     first = _first_scans(observed, case, mode)
     tried = [(shortener.prefix(first), f"after {first} of {count} scans")]
     if mode.seed is None:
-        every = range(count)
+        every = list(range(count))
         tried += [
-            (shortener.some(every[1:]), "without the first scan"),
-            (shortener.some(every[::2]), "of every other scan (0, 2, 4, ...)"),
-            (
-                shortener.some(every[1::2]),
-                "of every other scan (1, 3, 5, ...)",
-            ),
-            (shortener.some([*every, count - 1]), "with the last scan twice"),
+            (shortener.some(scans), words) for scans, words in _choices(every)
         ]
     whole = reference_map(case, mode)
     most = _wrong(observed, whole)
-    for shorter, words in tried:
-        drawn = reference_map(shorter, mode)
-        same = (whole.log_odds == drawn.log_odds).all()
-        # a map that comes no nearer need not be looked at
-        if same or _wrong(observed, drawn) >= most:
-            continue
+    # a map that comes no nearer need not be looked at
+    near = [
+        (wrong, shorter, words)
+        for shorter, words in tried
+        if (wrong := _wrong(observed, reference_map(shorter, mode))) < most
+    ]
+    for _, shorter, words in sorted(near, key=lambda one: one[0])[:NEAREST]:
         compared = compare_with_reference(
             observed, shorter, mode, own_poses=not case.is_file
         )
         if compared.status != "differs":
-            return words
+            return words + but_for(compared)
+    return ""
+
+
+def _choices(every: list[int]) -> list[tuple[list[int], str]]:
+    """Which scans a program can map, and in which order, in place of all of them in the order of the file."""
+    last = every[-1]
+    return [
+        (every[1:], "without the first scan"),
+        (every[::2], "of every other scan (0, 2, 4, ...)"),
+        (every[1::2], "of every other scan (1, 3, 5, ...)"),
+        ([*every, last], "with the last scan twice"),
+        ([*every, 0], "with the first scan once more at the end"),
+        ([*every[1:], 0], "with the first scan after all others"),
+        ([last, *every[:-1]], "with the last scan before all others"),
+        (every[::-1], "with the scans in reverse order"),
+        (every[:0:-1], "without the first scan, and in reverse order"),
+        (every[-2::-1], "without the last scan, and in reverse order"),
+        (every[1:-1], "without the first and the last scan"),
+    ]
+
+
+def but_for(compared: Compared) -> str:
+    """What rounding adds to the statement that a map is exactly another one's."""
+    if compared.status == "edges":
+        return ", but for beams that end on a cell edge"
     return ""
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from occgrid.grid import sigmoid
 from occgrid_parity.explain.mistaken_maps import Evidence
-from occgrid_parity.explain.single_updates import single_update
+from occgrid_parity.explain.single_updates import single_update, untouched
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.model.array_types import Array
 from occgrid_parity.model.reference import reference_map
@@ -30,7 +30,8 @@ def observations(maps: Sequence[Evidence], reads_scenarios: bool) -> list[str]:
     ]
     said = []
     # the first that fits explains the grey levels
-    for looks in ((_maximum, _trinary, _probability), (log_odds_fault,)):
+    grey_levels = (_maximum, _trinary, _one_row, _prior, _probability)
+    for looks in (grey_levels, (log_odds_fault,)):
         sentences = (look(maps) for look in looks)
         said += [text for text in sentences if text][:1]
     if not reads_scenarios:
@@ -59,6 +60,27 @@ def _trinary(maps: Sequence[Evidence]) -> str:
         "your pictures have no grey levels but 0, 205 and 254, which are those of ROS's map_saver (occupied, unknown, "
         "free); SPEC.md section 2.6 wants the probability of each cell as one of 256 levels"
     )
+
+
+def _one_row(maps: Sequence[Evidence]) -> str:
+    """Rows that share their cells."""
+    for one in maps:
+        found, right = one.observed.pixels, reference_map(one.case, one.mode)
+        many = len(found) > 1 and (found == found[0]).all()
+        if not many or (right.pixels == right.pixels[0]).all():
+            return ""
+    return (
+        "all rows of your picture are the same, so they may be one row in memory: in Python, [[l0] * W] * H is the "
+        "same list H times; [[l0] * W for _ in range(H)] makes H lists"
+        if maps
+        else ""
+    )
+
+
+def _prior(maps: Sequence[Evidence]) -> str:
+    """Another prior, from cells that nothing has updated."""
+    said = {untouched(one) for one in maps} - {""}
+    return said.pop() if len(said) == 1 else ""
 
 
 def _probability(maps: Sequence[Evidence]) -> str:

@@ -65,8 +65,32 @@ def single_update(one: Evidence, free: bool) -> SingleUpdate | None:
         return SingleUpdate(name, right, expected, SEVERAL, None)
     found = int(levels[counts.argmax()])
     p = round(1.0 - found / 255.0, 2)
-    fits = 0.0 < p < 1.0 and abs((1.0 - p) * 255.0 - found) <= 0.5 + BLUR
+    # with the prior's grey level, the cells are more likely not updated at all
+    fits = 0.0 < p < 1.0 and p != s.p0
+    fits = fits and abs((1.0 - p) * 255.0 - found) <= 0.5 + BLUR
     return SingleUpdate(name, right, expected, found, p if fits else None)
+
+
+def untouched(one: Evidence) -> str:
+    """What the cells show that nothing has updated, in a sentence; empty where they are right or have no one level."""
+    s = world_of(one.case).settings
+    if one.observed.top != 255 or s.p0 != 0.5:
+        return ""
+    drawn = reference_map(one.case, one.mode)
+    cells = (drawn.log_odds == 0.0)[::-1]
+    levels, counts = np.unique(one.observed.pixels[cells], return_counts=True)
+    if counts.sum() < LEAST_CELLS or counts.max() < NEARLY_ALL * counts.sum():
+        return ""
+    found, expected = (
+        int(levels[counts.argmax()]),
+        int(drawn.pixels[cells][0]),
+    )
+    if abs(found - expected) <= 1:
+        return ""
+    return (
+        f"cells that no beam has touched have grey level {found}, which is that of a probability of "
+        f"{1.0 - found / 255.0:.2f}; with p0 {s.p0:.2f} it is {expected}"
+    )
 
 
 def single_updates(maps: Sequence[Evidence]) -> list[SingleUpdate]:

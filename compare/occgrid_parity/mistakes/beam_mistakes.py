@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from occgrid.sensor import Scan
 from occgrid.world import Pose
 from occgrid_parity.model.array_types import Array, Cells, Mask
 from occgrid_parity.model.line_cells import (
@@ -117,6 +120,17 @@ class OneBeamFewer(Mapper):
             return super().bearings()
         i = np.arange(n - 1, dtype=np.float64)
         return -(fov / 2.0) + (fov * i) / (n - 2.0)
+
+
+class LastBeamLeftOut(Mapper):
+    name = "last-beam-left-out"
+    title = "the last beam of every scan is left out"
+    lesson = "A scan of n beams has the beams 0 to n - 1: 181 of them from -90 to +90 degrees, both included."
+    where = "section 6.1 (n_beams; linspace over both ends)"
+
+    def scans(self) -> Iterator[Scan]:
+        for scan in super().scans():
+            yield Scan(scan.pose, scan.angles[:-1], scan.ranges[:-1])
 
 
 class MaxRangeOccupied(Mapper):
@@ -382,6 +396,7 @@ MISTAKES: tuple[type[Mapper], ...] = (
     LastBearingMissing,
     BearingsHalfAStepOff,
     OneBeamFewer,
+    LastBeamLeftOut,
     MaxRangeOccupied,
     NoMargin,
     NoReturnNotFreed,

@@ -130,6 +130,40 @@ class IndexRoundedHalfEven(Mapper):
         return np.rint(cells)
 
 
+class FloorDivision(Mapper):
+    name = "index-by-floor-division"
+    title = "the index is the result of floor division (//)"
+    lesson = (
+        "The index is the floor of the rounded quotient. Python's // and NumPy's floor_divide do not round it first: "
+        "1.0 / 0.1 is 10, but 1.0 // 0.1 is 9, since the double 0.1 is a little more than a tenth. So a point on a "
+        "cell edge can fall into the cell before it."
+    )
+    where = INDEX
+
+    def to_grid(self, x: Array, y: Array) -> tuple[Cells, Cells]:
+        s = self.settings
+        gx = np.floor_divide(x - s.origin_x, s.resolution)
+        gy = np.floor_divide(y - s.origin_y, s.resolution)
+        return gx.astype(np.int64), gy.astype(np.int64)
+
+
+class Reciprocal(Mapper):
+    name = "index-by-reciprocal"
+    title = "the distance is multiplied by 1 / resolution"
+    lesson = (
+        "The distance is divided by the resolution. The reciprocal is rounded, too, so the product can have another "
+        "last bit than the quotient, and a point on a cell edge then falls into the other cell."
+    )
+    where = INDEX + "; SPEC.md section 1"
+
+    def to_grid(self, x: Array, y: Array) -> tuple[Cells, Cells]:
+        s = self.settings
+        per_metre = 1.0 / s.resolution
+        gx = self.index((x - s.origin_x) * per_metre)
+        gy = self.index((y - s.origin_y) * per_metre)
+        return gx.astype(np.int64), gy.astype(np.int64)
+
+
 class OriginIgnored(Mapper):
     name = "origin-ignored"
     title = "the origin is not subtracted"
@@ -213,6 +247,8 @@ MISTAKES: tuple[type[Mapper], ...] = (
     OffByOne,
     IndexRounded,
     IndexRoundedHalfEven,
+    FloorDivision,
+    Reciprocal,
     OriginIgnored,
     NegativeIndexWraps,
     RobotOutsideSkipped,

@@ -221,6 +221,32 @@ class PixelHalfEven(Mapper):
         return np.rint((1.0 - p) * 255.0)
 
 
+class PixelHalfDown(Mapper):
+    name = "pixel-half-down"
+    title = "pixels are rounded with halves downwards"
+    lesson = (
+        "A pixel is floor((1 - p) * 255 + 0.5), so halves go up: a cell that nothing has touched has 127.5, and gets "
+        "128. With 255 - round(255 p), p is rounded up in place of 1 - p, and the cell gets 127."
+    )
+    where = PICTURE
+
+    def pixel(self, p: Array) -> Array:
+        return 255.0 - np.floor(p * 255.0 + 0.5)
+
+
+class PixelUp(Mapper):
+    name = "pixel-rounded-up"
+    title = "pixels are rounded up"
+    lesson = (
+        "A pixel is floor((1 - p) * 255 + 0.5), the nearest grey level. 255 - int(255 p) cuts p off, and so rounds "
+        "1 - p up."
+    )
+    where = PICTURE
+
+    def pixel(self, p: Array) -> Array:
+        return 255.0 - np.floor(p * 255.0)
+
+
 class PixelTruncated(Mapper):
     name = "pixel-truncated"
     title = "pixels are cut off, not rounded"
@@ -257,6 +283,8 @@ MISTAKES: tuple[type[Mapper], ...] = (
     ExpOfReducedArgument,
     PictureInverted,
     PixelHalfEven,
+    PixelHalfDown,
+    PixelUp,
     PixelTruncated,
     PixelOf256,
 )

@@ -165,6 +165,16 @@ class NoiseVariance(Mapper):
         )
 
 
+class NoiseNotClamped(Mapper):
+    name = "noise-not-clamped"
+    title = "a range with noise may be below 0"
+    lesson = "A range with noise is clamped to [0, max_range]. A negative one would put the hit behind the robot."
+    where = NOISE
+
+    def clip_range(self, ranges: Array) -> Array:
+        return np.minimum(ranges, self.settings.max_range)
+
+
 class NoNoise(Mapper):
     name = "no-noise"
     title = "there is no noise with a seed either"
@@ -218,6 +228,7 @@ MISTAKES: tuple[type[Mapper], ...] = (
     NoiseOnHitsOnly,
     NoiseSubtracted,
     NoiseVariance,
+    NoiseNotClamped,
     NoNoise,
     NoiseOnRecorded,
     NoiseSimulatedNumberedApart,

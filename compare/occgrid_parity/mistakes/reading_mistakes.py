@@ -1,10 +1,15 @@
-"""Mistakes in reading recorded scans (SPEC.md section 5.3)."""
+"""Mistakes in reading recorded scans and parameters (SPEC.md sections 2.3, 5.2 and 5.3)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import ClassVar
+
+import numpy as np
 
 from occgrid.portable_math import pi
+from occgrid.sensor import Scan
+from occgrid_parity.model.array_types import Array, Mask
 from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.suite.cases import Case
 
@@ -121,9 +126,116 @@ class FlaserStepOfN(_FlaserStep):
         return pi / beams
 
 
+class InfinityIgnored(Mapper):
+    name = "infinity-ignored"
+    title = "an infinite range is ignored"
+    lesson = (
+        "Many drivers write inf where a beam met nothing: it is a range above the maximum, so no return. JavaScript's "
+        "parseFloat makes NaN of it, which is ignored."
+    )
+    where = "SPEC.md section 2.3"
+
+    def read(self, ranges: Array) -> tuple[Array, Mask, Mask]:
+        z, hit, used = super().read(ranges)
+        return z, hit, used & ~np.isinf(ranges)
+
+
+class LeastRangeForAll(Mapper):
+    name = "min-range-for-all"
+    title = "min_range holds for simulated ranges, too"
+    lesson = (
+        "Recorded ranges below min_range are echoes of the robot itself, and are ignored. Simulated ranges have none, "
+        "so min_range does not apply to them."
+    )
+    where = "SPEC.md section 2.3"
+
+    def scans(self) -> Iterator[Scan]:
+        for scan in super().scans():
+            near = scan.ranges < self.settings.min_range
+            yield Scan(
+                scan.pose, scan.angles, np.where(near, np.nan, scan.ranges)
+            )
+
+
+class _Unread(Mapper):
+    """A parameter that is not read, so that its default stands."""
+
+    parameter: ClassVar[bytes]
+    where = "SPEC.md section 5.2"
+
+    @classmethod
+    def reads(cls, case: Case) -> Case:
+        lines = [
+            line
+            for line in case.data.splitlines(keepends=True)
+            if line.split()[:2] != [b"PARAM", b"occgrid_" + cls.parameter]
+        ]
+        return Case(case.name, b"".join(lines), case.is_file)
+
+
+class LeastRangeUnread(_Unread):
+    name = "min-range-unread"
+    title = "occgrid_min_range is not read"
+    lesson = "Recorded ranges below min_range are ignored. Without the parameter it is 0, and no range is below it."
+    parameter = b"min_range"
+
+
+class FieldOfViewUnread(_Unread):
+    name = "fov-unread"
+    title = "occgrid_fov is not read: simulated scans cover half a turn"
+    lesson = "The bearings of a simulated scan go from -fov / 2 to +fov / 2. Half a turn is only the default."
+    parameter = b"fov"
+
+
+class BeamsUnread(_Unread):
+    name = "beams-unread"
+    title = "occgrid_beams is not read: simulated scans have 181 beams"
+    lesson = "A simulated scan has as many beams as the scenario says. 181 is only the default."
+    parameter = b"beams"
+
+
+class PriorUnread(_Unread):
+    name = "p0-unread"
+    title = "occgrid_p0 is not read: the prior is one half"
+    lesson = "Cells start at logit(p0), and each update subtracts it. One half is only the default."
+    parameter = b"p0"
+
+
+class OccupiedUnread(_Unread):
+    name = "p-occ-unread"
+    title = "occgrid_p_occ is not read: it is 0.75"
+    lesson = (
+        "A hit adds logit(p_occ) - logit(p0), with the p_occ of the scenario."
+    )
+    parameter = b"p_occ"
+
+
+class FreeUnread(_Unread):
+    name = "p-free-unread"
+    title = "occgrid_p_free is not read: it is 0.30"
+    lesson = "A crossing adds logit(p_free) - logit(p0), with the p_free of the scenario."
+    parameter = b"p_free"
+
+
+class NoiseUnread(_Unread):
+    name = "noise-std-unread"
+    title = "occgrid_noise_std is not read: it is 0.02"
+    lesson = "The noise's standard deviation is that of the scenario, in metres. 0.02 is only the default."
+    parameter = b"noise_std"
+
+
 MISTAKES: tuple[type[Mapper], ...] = (
     OdometryForPose,
     RobotForLaser,
     FlaserStepFromCount,
     FlaserStepOfN,
+    InfinityIgnored,
+    LeastRangeForAll,
+    LeastRangeUnread,
+    FieldOfViewUnread,
+    BeamsUnread,
+    PriorUnread,
+    OccupiedUnread,
+    FreeUnread,
+    NoiseUnread,
 )

@@ -31,6 +31,7 @@ COLUMNS: tuple[tuple[str, Mode], ...] = (
     ("asymmetric", Mode(1)),
     ("mixed", Mode(0)),
     ("noise-half", Mode(0)),
+    ("noise-clamp", Mode(0)),
 )
 
 HEAD = """# Mistakes that the suite knows
@@ -47,7 +48,7 @@ about it.
 
 TABLE = """## Which scenario catches which mistake
 
-**P** the picture differs; L only the log-odds differ; · neither does. All without noise but the last four columns.
+**P** the picture differs; L only the log-odds differ; · neither does. All without noise but the last five columns.
 """
 
 

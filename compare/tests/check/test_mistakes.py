@@ -27,7 +27,9 @@ from ..check_helpers import MapperRunner, check_mapper, names
 SCENARIOS = sorted(path.stem for path in scenario_folder().glob("*.log"))
 
 # the levels before the noise take time, and these mistakes pass them all
-NOISY = Options([case("asymmetric"), case("noise-half")], SEEDS)
+NOISY = Options(
+    [case("asymmetric"), case("noise-half"), case("noise-clamp")], SEEDS
+)
 
 # the same cells in whatever order: nothing can tell these apart
 SAME = [{"ties-up", "ties-with-equality", "line-from-the-end"}]
@@ -69,6 +71,11 @@ def test_some_mistakes_are_caught_by_one_scenario_only(
         if sum(map(bool, marks)) == 1
     }
     assert only == {
+        "index-by-reciprocal": "flaser",
+        "min-range-for-all": "min-range",
+        "min-range-unread": "min-range",
+        "p0-unread": "prior",
+        "noise-not-clamped": "noise-clamp",
         "exp-of-reduced-argument": "powers",
         "flaser-step-n-minus-1": "flaser",
         "noise-on-recorded-scans": "mixed",

@@ -36,7 +36,22 @@ JAVASCRIPT = {
     ),
     "round": Expected(QUIET, "index-rounded"),
     "equal": Expected(QUIET, "ties-with-equality-in-y"),
-    "ceil": Expected(QUIET.removeprefix("one-beam ")),
+    "ceil": Expected(QUIET.removeprefix("one-beam "), "pixel-rounded-up"),
+    "parse-float": Expected("no-return mixed formats", "infinity-ignored"),
+    "least-for-all": Expected("mixed", "min-range-for-all"),
+}
+
+# Python without NumPy, the cells in a dictionary; without noise
+DICTIONARY = {
+    "none": Expected(),
+    "floor-division": Expected("recorded", "index-by-floor-division"),
+    "reciprocal": Expected("recorded", "index-by-reciprocal"),
+    "min_range-unread": Expected("mixed", "min-range-unread"),
+    "p0-unread": Expected("prior", "p0-unread"),
+    "fov-unread": Expected("no-return simulated mixed", "fov-unread"),
+    "one-beam": Expected("formats", said="ZeroDivisionError"),
+    "elif": Expected(QUIET),
+    "wall-fields": Expected("no-return outside simulated mixed formats"),
 }
 
 # Perl draws the contract's noise, too
@@ -50,7 +65,7 @@ PERL = {
     ),
     "ties": Expected(EVERY, "ties-with-equality-in-y", "", (0, 0)),
     "maxrange": Expected(
-        "no-return simulated mixed noise mixed-noise",
+        "no-return simulated mixed formats noise mixed-noise",
         "max-range-occupied",
         "",
         (0, 1),
@@ -89,6 +104,17 @@ def test_a_program_in_javascript(bug: str) -> None:
     need("node")
     verdict = check_words(f"node {PROGRAMS / 'mapper.js'} {bug} {{scenario}}")
     hold(verdict, JAVASCRIPT[bug])
+    assert verdict.maximum == 16
+
+
+@pytest.mark.parametrize("bug", DICTIONARY)
+@pytest.mark.usefixtures("short")
+def test_a_program_in_plain_python(bug: str) -> None:
+    program = PROGRAMS / "mapper_dict.py"
+    verdict = check_words(
+        f"{sys.executable} {program} {bug} {{out}} {{scenario}}"
+    )
+    hold(verdict, DICTIONARY[bug])
     assert verdict.maximum == 16
 
 

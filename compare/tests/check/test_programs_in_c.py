@@ -43,7 +43,7 @@ C = {
     "probabilities": Expected("log-odds", said="holds probabilities"),
     "base-10": Expected("added log-odds " + EVERY, said="to base 10"),
     "octant": Expected(
-        "octants no-return prior simulated recorded formats noise mixed-noise"
+        "octants no-return prior simulated recorded mixed formats noise mixed-noise"
     ),
     "odometry": Expected("mixed mixed-noise", "odometry-for-pose"),
     "robot-pose": Expected("mixed mixed-noise", "robot-pose-for-laser"),
@@ -69,12 +69,16 @@ C = {
         "no-return simulated recorded mixed noise mixed-noise"
     ),
     "remissions": Expected("recorded formats"),
+    "min-range": Expected("mixed", "min-range-unread"),
+    "infinity": Expected("no-return mixed formats", "infinity-ignored"),
+    "below-zero": Expected("noise", "noise-not-clamped"),
+    "last-beam": Expected(EVERY, "last-beam-left-out"),
     "crash": Expected(
         "runs file orientation added bad-input " + EVERY, said="SIGABRT"
     ),
     "first-scan": Expected(
         "one-beam octants no-return prior outside simulated recorded mixed formats noise mixed-noise bad-input",
-        said="no-return-free and formats are exactly the reference's without the first scan",
+        said="are exactly the reference's without the first scan",
     ),
     "half-file": Expected(
         "file orientation added bad-input " + EVERY, said="half a file"
@@ -91,6 +95,19 @@ C_LESSON = {
         said="your map of lesson is exactly the reference's without the first scan",
     ),
     "lesson-even": Expected("lesson", said="every other scan (0, 2, 4, ...)"),
+    "lesson-121": Expected(
+        "lesson", said="the first pose once more at the end"
+    ),
+    "lesson-late": Expected("lesson", said="every pose one step late"),
+    "lesson-reversed": Expected("lesson", said="the scans in reverse order"),
+    "lesson-t-1": Expected("lesson", said="ang = 2 pi t / (T - 1)"),
+    "lesson-whole": Expected("lesson", said="t / T is always 0"),
+    "lesson-heading": Expected("lesson", said="the heading ang (it should be"),
+    "lesson-backward": Expected("lesson", said="the heading ang - pi/2"),
+    "lesson-circle": Expected("lesson", said="a circle of radius 4 m"),
+    "lesson-wall": Expected(
+        "lesson", said="without the wall from (-8, 2) to (-2, 2)"
+    ),
 }
 
 

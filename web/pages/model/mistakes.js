@@ -34,6 +34,15 @@ function transposed(
   return /** @type {T} */ (turned);
 }
 
+/** The floor of the quotient before it is rounded, as Python's // has it. The remainder of % is exact. */
+function floorDivision(
+  /** @type {number} */ a,
+  /** @type {number} positive */ b,
+) {
+  const remainder = a % b;
+  return Math.round((a - remainder) / b) - (remainder < 0 ? 1 : 0);
+}
+
 /** Box and Muller's deviate of chosen words. */
 function deviateOf(
   /** @type {number} */ first,
@@ -124,6 +133,21 @@ const PLANTED = {
   "index-rounded-half-even": (m) => {
     m.index = roundHalfEven;
   },
+  "index-by-floor-division": (m) => {
+    const { resolution, originX, originY } = m.settings;
+    m.toGrid = (x, y) => ({
+      gx: floorDivision(x - originX, resolution),
+      gy: floorDivision(y - originY, resolution),
+    });
+  },
+  "index-by-reciprocal": (m) => {
+    const { resolution, originX, originY } = m.settings;
+    const perMetre = 1 / resolution;
+    m.toGrid = (x, y) => ({
+      gx: m.index((x - originX) * perMetre),
+      gy: m.index((y - originY) * perMetre),
+    });
+  },
   "origin-ignored": (m) => {
     const { resolution } = m.settings;
     m.toGrid = (x, y) => ({
@@ -208,6 +232,11 @@ const PLANTED = {
       new Float64Array(beams - 1).map(
         (_, i) => -(fov / 2) + (fov * i) / (beams - 2),
       );
+  },
+  "last-beam-left-out": (m) => {
+    const { bearings, recorded } = m;
+    m.bearings = () => bearings().slice(0, -1);
+    m.recorded = (...scan) => recorded(...scan).slice(0, -1);
   },
   "max-range-occupied": (m) => {
     const { evidence } = m;
@@ -376,6 +405,12 @@ const PLANTED = {
   "pixel-half-even": (m) => {
     m.pixel = (p) => roundHalfEven((1 - p) * 255);
   },
+  "pixel-half-down": (m) => {
+    m.pixel = (p) => 255 - Math.floor(p * 255 + 0.5);
+  },
+  "pixel-rounded-up": (m) => {
+    m.pixel = (p) => 255 - Math.floor(p * 255);
+  },
   "pixel-truncated": (m) => {
     m.pixel = (p) => Math.floor((1 - p) * 255);
   },
@@ -435,6 +470,11 @@ const PLANTED = {
       const noisy = range + Math.sqrt(noiseStd) * m.deviate(...which);
       return Math.min(Math.max(noisy, 0), maxRange);
     };
+  },
+  "noise-not-clamped": (m) => {
+    const { noiseStd, maxRange } = m.settings;
+    m.noisy = (range, ...which) =>
+      Math.min(range + noiseStd * m.deviate(...which), maxRange);
   },
   "no-noise": (m) => {
     m.noisy = (range) => range;

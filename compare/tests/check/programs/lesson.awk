@@ -55,6 +55,7 @@ function beam(x, y, theta, angle, text,  z, a, hit) {
     if (text == "") z = simulate(x, y, a)
     else if (text ~ /[iI][nN][fF]/) z = P["max_range"]
     else z = text + 0
+    if (text != "" && z < P["min_range"]) return
     hit = z < P["max_range"] - 1e-12
     if (!hit && P["no_return"] == "ignore") return
     if (!hit) z = P["max_range"]

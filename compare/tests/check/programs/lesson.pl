@@ -18,7 +18,7 @@ while (@ARGV) {
 my $pi = 3.141592653589793;
 my %p = (
     p0 => 0.5, p_occ => 0.75, p_free => 0.3, l_min => -8, l_max => 8,
-    no_return => 'free', fov => $pi, beams => 181, noise_std => 0.02,
+    no_return => 'free', fov => $pi, beams => 181, noise_std => 0.02, min_range => 0,
 );
 my (@walls, @scans);
 open(my $in, '<', $file) or die "cannot open $file: $!\n";
@@ -140,6 +140,7 @@ for my $s (0 .. $#scans) {
         if ($scan->{ranges}) {
             next if $scan->{ranges}[$i] =~ /nan/i;
             $z = $scan->{ranges}[$i] =~ /inf/i ? 9**9**9 : $scan->{ranges}[$i] + 0;
+            next if $z < $p{min_range};
         }
         else {
             $z = simulate($x, $y, $a);

@@ -62,7 +62,7 @@ static double noisy(double z, int beam) {
     double half = is("no-half") ? 1.0 : 0.5;
     double n = sqrt(-2 * log((w0 + half) / 4294967296.0)) * cos(2 * pi * ((w1 + half) / 4294967296.0));
     z += value[STD] * n;
-    return z < 0 ? 0 : z > value[ZMAX] ? value[ZMAX] : z;
+    return z < 0 && !is("below-zero") ? 0 : z > value[ZMAX] ? value[ZMAX] : z;
 }
 
 static double cast(double x, double y, double a) {
@@ -106,9 +106,10 @@ static int update(long gx, long gy, double step) {
 
 static void beam(double x, double y, double theta, double angle, double z, int simulated_beam, int number) {
     double a = theta + angle, zmax = value[ZMAX];
+    if (is("infinity") && isinf(z)) return;
     if (is("half-pixel")) x += value[RES] / 2;
     if (isnan(z)) return;
-    if (!simulated_beam && z < value[ZMIN]) return;
+    if (!simulated_beam && z < value[ZMIN] && !is("min-range")) return;
     if (is("short-range") && z > 0.9 * zmax) z = zmax;
     int hit = z < zmax - 1e-12;
     if (!hit && ignore) return;
@@ -134,7 +135,7 @@ static void beam(double x, double y, double theta, double angle, double z, int s
 
 static void pose(double x, double y, double theta) {
     int n = (int)value[BEAMS];
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n - is("last-beam"); i++) {
         double angle = n == 1 ? 0 : -(value[FOV] / 2) + (value[FOV] * i) / (n - 1);
         if (is("half-step")) angle = -(value[FOV] / 2) + value[FOV] * (i + 0.5) / n;
         if (is("fov-n")) angle = -(value[FOV] / 2) + value[FOV] * i / n;
@@ -148,7 +149,7 @@ static void pose(double x, double y, double theta) {
 static void recorded(char **range, int n, char **at, double first, double step) {
     double x = number(at[0]), y = number(at[1]), theta = number(at[2]);
     if (is("wrap") && theta > pi) theta -= 3;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n - is("last-beam"); i++) {
         double z = number(range[i]);
         if (z < 0) fail("a range is negative");
         if (is("recorded-noise") && seeded && !isnan(z)) z = noisy(z, i);
@@ -230,10 +231,16 @@ static void lesson(void) {
     for (int i = W; i <= ZMAX; i++) value[i] = given[i];
     wall = box, walls = 6;
     start();
-    for (int t = is("lesson-from-1"); t < (is("lesson-119") ? 119 : 120); t++, scans++) {
-        double a = 2 * pi * (t / 120.0);
+    if (is("lesson-wall")) walls = 5;
+    int first = is("lesson-from-1") || is("lesson-late");
+    int end = is("lesson-119") ? 119 : is("lesson-121") || is("lesson-late") ? 121 : 120;
+    for (int k = first; k < end; k++, scans++) {
+        int t = is("lesson-reversed") ? 119 - k : k;
         if (is("lesson-even") && t % 2) continue;
-        pose(-6 + 6 * cos(a), 4 * sin(a), a + pi / 2);
+        double a = 2 * pi * (t / (is("lesson-t-1") ? 119.0 : 120.0));
+        if (is("lesson-whole")) a = 2 * pi * (t / 120);
+        double theta = is("lesson-heading") ? a : is("lesson-backward") ? a - pi / 2 : a + pi / 2;
+        pose(-6 + (is("lesson-circle") ? 4 : 6) * cos(a), 4 * sin(a), theta);
     }
 }
 
@@ -242,6 +249,7 @@ static int pixel(double l) {
     if (is("ros")) return p > 0.65 ? 0 : p < 0.196 ? 254 : 205;
     if (is("maximum-100")) return (int)floor((1 - p) * 100 + 0.5);
     if (is("unknown-205") && p == 0.5) return 205;
+    if (is("half-down")) return 255 - (int)floor(p * 255 + 0.5);
     return (int)floor((1 - p) * 255 + 0.5);
 }
 

@@ -15,6 +15,7 @@ function fail (reason) {
 }
 function number (text) {
   if (/^[+-]?nan$/i.test(text)) return NaN
+  if (is('parse-float') && /inf/i.test(text)) return parseFloat(text)
   if (/^[+-]?inf(inity)?$/i.test(text)) return text[0] === '-' ? -Infinity : Infinity
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text)) fail('not a number')
   const v = Number(text)
@@ -47,7 +48,7 @@ function update (gx, gy, step) {
   grid[i] = Math.min(Math.max(grid[i] + step, P.l_min), P.l_max)
 }
 function beam (x, y, a, range) {
-  if (Number.isNaN(range) || range < P.min_range) return
+  if (Number.isNaN(range)) return
   const hit = range < P.max_range - 1e-12
   if (!hit && P.no_return === 'ignore') return
   const z = hit ? range : P.max_range
@@ -72,6 +73,7 @@ function recorded (ranges, at, first, step) {
   texts.forEach((text, i) => {
     const range = number(text)
     if (range < 0) fail('a range is negative')
+    if (range < P.min_range) return
     beam(x, y, theta + (first + i * step), range)
   })
 }
@@ -102,7 +104,9 @@ for (const line of fs.readFileSync(file, 'latin1').split('\n')) {
     const [x, y, theta] = f.slice(1).map(number)
     for (let i = 0; i < P.beams; i++) {
       const angle = P.beams === 1 ? 0 : -(P.fov / 2) + (P.fov * i) / (P.beams - 1)
-      beam(x, y, theta + angle, cast(x, y, theta + angle))
+      const range = cast(x, y, theta + angle)
+      if (is('least-for-all') && range < P.min_range) continue
+      beam(x, y, theta + angle, range)
     }
   } else if (f[0] === 'FLASER') {
     start()
