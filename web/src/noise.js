@@ -79,8 +79,17 @@ export function normalDeviate(seed, scan, beam) {
  */
 export function addRangeNoise(ranges, noiseStd, seed, scan, zMax) {
   return ranges.map((range, beam) => {
-    const noisy = range + noiseStd * normalDeviate(seed, scan, beam);
-    return Math.min(Math.max(noisy, 0), zMax);
+    const noise = noiseStd * normalDeviate(seed, scan, beam);
+    return noisyRange(range, noise, zMax);
   });
+}
+
+/** A range with its noise, within [0, zMax]; all in metres. */
+export function noisyRange(
+  /** @type {number} */ range,
+  /** @type {number} */ noise,
+  /** @type {number} */ zMax,
+) {
+  return Math.min(Math.max(range + noise, 0), zMax);
 }
 // [/snippet]

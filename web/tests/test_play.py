@@ -331,6 +331,55 @@ def test_the_cell_and_what_if_follow_when_a_slider_rests(
     )
 
 
+def test_the_map_says_that_it_is_behind(open_page: Open) -> None:
+    """The world follows at once; the map is then that of now, and says no more."""
+    page = open_page("play", "#scan=120&noise=free")
+    before = words(page, "map-words")
+    page.wait_for_function("document.querySelector('#map-late').hidden")
+    late = page.evaluate(
+        """() => {
+        const { lab, stage } = occgridPage;
+        const said = (id) => document.getElementById(id).innerText;
+        let time = performance.now();
+        performance.now = () => (time += 10); // every look at the clock ends a slice
+        lab.set({ maxRange: 5 });
+        stage.frame();
+        delete performance.now;
+        return { behind: !document.querySelector('#map-late').hidden,
+          busy: document.querySelector('#cell').getAttribute('aria-busy'),
+          world: said('world-words'), map: said('map-words') };
+        }"""
+    )
+    assert late["behind"] is True
+    assert late["busy"] == "true"
+    assert late["world"].endswith("within 5 m.")
+    assert late["map"] == before
+    after = words(page, "map-words")
+    page.wait_for_function("document.querySelector('#map-late').hidden")
+    value = page.evaluate("occgridPage.lab.maps().now[90 * 220 + 109]")
+    assert after != before
+    assert f"log-odds {value:g}, " in after
+    assert page.locator("#cell").get_attribute("aria-busy") == "false"
+    assert f"Log-odds {value:g}, " in words(page, "cell-words")
+
+
+def test_what_is_out_of_sight_is_drawn_when_it_comes_into_sight(
+    open_page: Open,
+) -> None:
+    page = open_page("play", "#scan=1&noise=free&mistake=hit-also-free")
+    page.evaluate("scrollTo(0, 0)")
+    page.locator("#speed").select_option("scan 5")
+    page.wait_for_function("!occgridPage.busy()")
+    page.locator("#play").click()
+    page.wait_for_function("occgridPage.lab.scan > 4")
+    said = "document.querySelector('#difference-words').innerText"
+    assert page.evaluate(said).endswith(" after 1 scan, 1 in their log-odds.")
+    page.locator("#what-if").scroll_into_view_if_needed()
+    page.wait_for_function(
+        f"/ after [2-9][0-9]* scans,/.test({said}) && occgridPage.lab.playing"
+    )
+
+
 def test_the_robot_is_dragged_turned_and_put_back(
     open_page: Open, tmp_path: Path
 ) -> None:

@@ -14,7 +14,7 @@ import {
   setText,
   takeFiles,
 } from "../shared/dom.js";
-import { GridCanvas } from "../shared/gridCanvas.js";
+import { GridCanvas, palette } from "../shared/gridCanvas.js";
 import { plural } from "../shared/words.js";
 import { worldOf } from "./judgeFile.js";
 import { startJudging } from "./judging.js";
@@ -39,9 +39,7 @@ let stop = () => {};
 
 /** @returns {number | null} */
 function seed() {
-  return input("noise-free").checked
-    ? null
-    : input("seed").valueAsNumber >>> 0;
+  return input("noise-free").checked ? null : input("seed").valueAsNumber;
 }
 
 /** Paragraphs that are there already stay: they need not be read out again. @param {"good" | "note" | "bad"} tone @param {string[]} words @param {string} status */
@@ -58,19 +56,24 @@ function say(tone, words, status) {
   });
 }
 
+/** A verdict begins, without what was found before. @param {string} of what */
+function begin(of) {
+  stop();
+  element("working").hidden = true;
+  element("result").hidden = false;
+  element("figures").hidden = true;
+  setText(element("checked"), of);
+  shownNow = null;
+}
+
 function check() {
   stop();
   if (file === null) return;
-  say("note", ["Comparing …"], "working");
-  element("working").hidden = true;
-  element("result").hidden = false;
   const mode = seed() === null ? "without noise" : `with seed ${seed()}`;
-  setText(
-    element("checked"),
+  begin(
     `${file.name}, compared with ${choice.selectedOptions[0].text} ${mode}.`,
   );
-  element("figures").hidden = true;
-  shownNow = null;
+  say("note", ["Comparing …"], "working");
   let found;
   try {
     found = readMapFile(file.bytes);
@@ -85,7 +88,9 @@ function check() {
     ({ doing, part, known }) => {
       element("working").hidden = false;
       setText(element("doing"), `${doing} …`);
-      byId("progress", HTMLProgressElement).value = part;
+      const progress = byId("progress", HTMLProgressElement);
+      if (part === null) progress.removeAttribute("value");
+      else progress.value = part;
       if (known) show(found, known, "working");
     },
     (verdict) => {
@@ -127,6 +132,9 @@ function giveUp() {
 
 // --- the pictures ---
 
+const GREY = palette();
+const WRONG = palette(0.75, [214, 48, 120]);
+
 const draw = onceAFrame(() => {
   if (shownNow === null || element("figures").hidden) return;
   const { found, verdict, at } = shownNow;
@@ -143,14 +151,9 @@ const draw = onceAFrame(() => {
     view.begin(reference);
     view.paintCells((image) => {
       for (let i = 0; i < differs.length; i++) {
-        const out =
-          4 * ((height - 1 - Math.floor(i / width)) * width + (i % width));
-        const grey = level(i);
-        const mark = coloured && differs[i];
-        image[out] = mark ? 0.25 * grey + 0.75 * 214 : grey;
-        image[out + 1] = mark ? 0.25 * grey + 0.75 * 48 : grey;
-        image[out + 2] = mark ? 0.25 * grey + 0.75 * 120 : grey;
-        image[out + 3] = 255;
+        const out = (height - 1 - Math.floor(i / width)) * width + (i % width);
+        const colours = coloured && differs[i] ? WRONG : GREY;
+        image[out] = colours[level(i)];
       }
     });
     if (at) view.frame(at, "#6d28d9");
@@ -158,10 +161,10 @@ const draw = onceAFrame(() => {
   setText(element("readout"), readOut());
 });
 
-/** @param {Found} found @param {ArrayLike<number>} values @param {number} i */
+/** A grey level to look at. @param {Found} found @param {ArrayLike<number>} values @param {number} i */
 function levelOf(found, values, i) {
   if ("picture" in found) return values[i];
-  return 255 - 255 / (1 + Math.E ** -values[i]); // to look at
+  return Math.round(255 - 255 / (1 + Math.E ** -values[i]));
 }
 
 function readOut() {
@@ -226,17 +229,36 @@ function choose() {
   check();
 }
 
-takeFiles(element("drop"), input("file"), (name, bytes) => {
-  file = { name, bytes };
-  check();
-  element("verdict-title").focus();
-});
+takeFiles(
+  element("drop"),
+  input("file"),
+  (name, bytes) => {
+    file = { name, bytes };
+    check();
+    element("verdict-title").focus();
+  },
+  (name) => {
+    file = null;
+    begin(name);
+    say(
+      "bad",
+      [
+        "cannot be read",
+        "It may be a folder, or a file that has just changed.",
+      ],
+      "unreadable",
+    );
+    element("verdict-title").focus();
+  },
+);
 choice.addEventListener("change", choose);
 for (const id of ["noise-free", "seeded"]) {
   input(id).addEventListener("change", choose);
 }
 input("seed").addEventListener("change", () => {
   input("seeded").checked = true;
+  const typed = Math.trunc(input("seed").valueAsNumber) || 0;
+  input("seed").value = `${Math.min(Math.max(typed, 0), 2 ** 32 - 1)}`;
   choose();
 });
 button("save-scenario").addEventListener("click", () =>

@@ -68,24 +68,23 @@ export function traceLine(gx0, gy0, gx1, gy1) {
   /** @type {Stop[]} */
   const stops = [];
   /** @type {Record<string, number>} */
-  const values = {};
+  let values = {};
   let count = 0;
   const stop = (/** @type {Mark} */ mark, /** @type {string} */ words) => {
-    stops.push({
-      mark,
-      line: LINE_OF[mark],
-      values: { ...values },
-      count,
-      words,
-    });
+    stops.push({ mark, line: LINE_OF[mark], values, count, words });
   };
   const set = (
     /** @type {Mark} */ mark,
     /** @type {string} */ name,
     /** @type {number} */ value,
   ) => {
-    values[name] = value;
+    values = { ...values, [name]: value };
     stop(mark, `${name} = ${value}`);
+  };
+  /** The body of the loop ends, and e2 with it. */
+  const leave = () => {
+    const { e2: _, ...others } = values;
+    values = others;
   };
   const dx = Math.abs(gx1 - gx0);
   const dy = Math.abs(gy1 - gy0);
@@ -104,7 +103,7 @@ export function traceLine(gx0, gy0, gx1, gy1) {
   count = 1;
   stop("cells", `the first cell is (${gx}, ${gy})`);
   while (gx !== gx1 || gy !== gy1) {
-    delete values.e2;
+    leave();
     stop("loop", `(${gx}, ${gy}) is not the last cell yet`);
     const e2 = 2 * err;
     set("e2", "e2", e2);
@@ -133,7 +132,7 @@ export function traceLine(gx0, gy0, gx1, gy1) {
       throw new Error("the trace does not follow bresenham");
     }
   }
-  delete values.e2;
+  leave();
   stop("loop", `(${gx}, ${gy}) is the last cell`);
   stop("done", `${count} cells`);
   return { stops, cells };

@@ -10,7 +10,7 @@ import {
   updateFromDirections,
   updateGridFromScans,
 } from "../../src/fast.js";
-import { normalDeviate } from "../../src/noise.js";
+import { noisyRange, normalDeviate } from "../../src/noise.js";
 import { newGrid } from "../../src/scenario.js";
 import { beamAngles, Scan } from "../../src/sensor.js";
 import { Pose } from "../../src/world.js";
@@ -22,7 +22,7 @@ import { Timeline } from "./timeline.js";
 /** @typedef {import("../../src/world.js").Segment} Segment */
 
 /** Mapping a few scans again takes less time than keeping every map. */
-const KEPT_EVERY = 8;
+const KEPT_EVERY = 32;
 
 /** A list whose entries are made when they are first asked for. @template T */
 class Lazy {
@@ -54,6 +54,8 @@ function sameBeams(one, other) {
 export class Run {
   /** @type {World} */
   world;
+  /** What `maps` has drawn last. @type {OccupancyGrid} */
+  grid;
 
   /**
    * @param {World} world
@@ -80,15 +82,25 @@ export class Run {
       known?.seed === seed ? known.deviates : deviates(seed, settings.beams);
     /** @type {Lazy<Scan>} */
     this.scans = new Lazy((i) => this.#scan(i));
-    /** What `maps` has drawn last. */
-    this.grid = newGrid(settings);
-    const whole = newGrid(settings);
-    this.timeline = new Timeline(
-      scans.length,
-      whole.logOdds,
-      (i) => this.#add(whole, i, this.scans.at(i)),
-      KEPT_EVERY,
-    );
+    this.grid =
+      old?.world.settings === settings ? old.grid : newGrid(settings);
+  }
+
+  /** @type {Timeline | null} */
+  #timeline = null;
+
+  /** The maps after whole scans. Many runs of a drag are never mapped: a newer one comes first. */
+  get timeline() {
+    if (this.#timeline === null) {
+      const grid = newGrid(this.world.settings);
+      this.#timeline = new Timeline(
+        this.world.scans.length,
+        grid.logOdds,
+        (i) => this.#add(grid, i, this.scans.at(i)),
+        KEPT_EVERY,
+      );
+    }
+    return this.#timeline;
   }
 
   /** Adds a scan to a map, or its first beams. @param {OccupancyGrid} grid @param {number} i @param {Scan} scan */
@@ -100,7 +112,7 @@ export class Run {
 
   /**
    * The map after some beams of a scan; and before them, or before a scan that is added on top. Both are overwritten by
-   * the next call, and by the timeline's next.
+   * the next call, also of a run that takes over from this one, and by the timeline's next.
    *
    * @param {number} scan from 1
    * @param {number} beam how many of its beams
@@ -128,11 +140,10 @@ export class Run {
     const { maxRange, noiseStd } = this.world.settings;
     const ranges = this.distances.at(i).map((z) => Math.min(z, maxRange));
     if (this.seed !== null) {
-      // addRangeNoise, with the deviates known
-      const noise = this.deviates.at(i);
+      const deviates = this.deviates.at(i);
       for (let beam = 0; beam < ranges.length; beam++) {
-        const noisy = ranges[beam] + noiseStd * noise[beam];
-        ranges[beam] = Math.min(Math.max(noisy, 0), maxRange);
+        const noise = noiseStd * deviates[beam];
+        ranges[beam] = noisyRange(ranges[beam], noise, maxRange);
       }
     }
     return new Scan(scan, this.angles, ranges);

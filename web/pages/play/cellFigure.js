@@ -20,8 +20,8 @@ const WIDTH = 720;
 const VIEW = {
   height: 320,
   left: 46,
-  right: 14,
-  top: 16,
+  right: 44,
+  top: 30,
   bottom: 34,
 };
 const MOST_ROWS = 400;
@@ -36,6 +36,9 @@ export class CellFigure {
   /** @param {Lab} lab @param {() => void} changed */
   constructor(lab, changed) {
     this.lab = lab;
+    this.place = element("cell");
+    /** Its updates come from all scans. */
+    this.whole = true;
     this.shown = new ShownWidth(byId("curve", SVGSVGElement), changed);
     for (const id of ["cell-gx", "cell-gy"]) {
       input(id).addEventListener("change", () => {
@@ -48,6 +51,7 @@ export class CellFigure {
             Math.max(Math.trunc(input(name).valueAsNumber) || 0, 0),
             size - 1,
           );
+        this.#key = ""; // the fields show what was made of the numbers
         lab.cell = {
           gx: number("cell-gx", width),
           gy: number("cell-gy", height),
@@ -187,7 +191,7 @@ export class CellFigure {
       parts.push(
         `<path d="M${left} ${y(l)}H${width - right}" stroke="var(--strong)" stroke-dasharray="${dashes}"/>`,
         `<text x="${left - 6}" y="${y(l) + 4}" text-anchor="end">${shown(l, Math.abs(l) < 10 && l % 1 ? 1 : 0)}</text>`,
-        `<text x="${width - right - 2}" y="${y(l) - 5}" text-anchor="end">${name}</text>`,
+        `<text x="${width - right + 6}" y="${y(l) + 4}">${name}</text>`,
       );
     };
     line(lMax, "l_max", "6 4");
@@ -203,7 +207,7 @@ export class CellFigure {
     }
     parts.push(
       `<text x="${(left + width - right) / 2}" y="${height - 3}" text-anchor="middle">scans</text>`,
-      `<text x="${left + 6}" y="12">log-odds</text>`,
+      `<text x="6" y="14">log-odds</text>`,
     );
     let path = `M${x(0)} ${y(values[0])}`;
     updates.forEach((update, i) => {

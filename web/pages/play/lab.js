@@ -113,6 +113,7 @@ export class Lab {
     this.cell = { gx: width >> 1, gy: height >> 1 };
     this.#changed();
     this.#coming = null;
+    this.#mapped = null;
     this.beam = this.beams;
   }
 
@@ -245,15 +246,18 @@ export class Lab {
 
   /** The moment that is being mapped. @type {Moment | null} */
   #coming = null;
+  /** The newest moment that has been mapped. @type {Moment | null} */
+  #mapped = null;
 
   /**
    * Maps for a while, towards the moment of now; or of an earlier call, where that is not done yet. So the map follows a
    * hand that changes the walls again before it is done, too.
    *
    * @param {number} time milliseconds
-   * @returns {Moment | null} the moment whose map is done; null while it is not
+   * @returns {boolean} whether the map of now is done
    */
   mapOn(time) {
+    if (this.isMapped) return true;
     const now = this.moment;
     let coming = this.#coming ?? now;
     // the same run comes to the moment of now as soon; and a map of other cells has no place in the picture
@@ -263,7 +267,19 @@ export class Lab {
     const { run, scan } = coming;
     const done = run.timeline.reach(scan - 1, performance.now() + time);
     this.#coming = done ? null : coming;
-    return done ? coming : null;
+    if (done) this.#mapped = coming;
+    return this.isMapped;
+  }
+
+  /** The newest moment that has been mapped; null if its cells are not those of now. */
+  get mapped() {
+    const mapped = this.#mapped;
+    return mapped !== null && sameCells(mapped.run, this.run) ? mapped : null;
+  }
+
+  /** Whether the map of now is done. */
+  get isMapped() {
+    return this.isNow(this.#mapped);
   }
 
   /** Whether a moment is that of now. @param {Moment | null} moment */

@@ -31,6 +31,7 @@ export class LineFigure {
   constructor(lab, changed) {
     this.lab = lab;
     this.changed = changed;
+    this.place = element("line");
     this.shown = new ShownWidth(byId("line-view", SVGSVGElement), changed);
     element("listing").append(
       ...LISTING.map((line) => {
@@ -43,12 +44,14 @@ export class LineFigure {
         const numbers = ENDS.map((end) =>
           Math.trunc(input(end).valueAsNumber),
         );
-        if (numbers.some((n) => !Number.isFinite(n))) return;
         const [gx0, gy0, gx1, gy1] = numbers;
         // a line for the eye, not for the record
-        if (Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0)) > 5000) return;
-        lab.line = [gx0, gy0, gx1, gy1];
-        lab.step = 0;
+        const steps = Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0));
+        if (steps <= 5000) {
+          lab.line = [gx0, gy0, gx1, gy1];
+          lab.step = 0;
+        }
+        this.#key = ""; // the fields show the line that there is
         changed();
       });
     }
@@ -256,12 +259,14 @@ export class LineFigure {
         `<rect x="${x(gx) + 1}" y="${y(gy + 1) + 1}" width="${side - 2}" height="${side - 2}" rx="2" fill="${fill}" fill-opacity="${k === stop.count - 1 ? 0.75 : 0.35}"/>`,
       );
     });
+    let borders = "";
     for (let gx = Math.ceil(left); gx <= left + columns; gx++) {
-      parts.push(`<path d="M${x(gx)} 0V${height}" stroke="var(--line)"/>`);
+      borders += `M${x(gx)} 0V${height}`;
     }
     for (let gy = Math.ceil(bottom); gy <= bottom + rows; gy++) {
-      parts.push(`<path d="M0 ${y(gy)}H${width}" stroke="var(--line)"/>`);
+      borders += `M0 ${y(gy)}H${width}`;
     }
+    parts.push(`<path d="${borders}" stroke="var(--line)"/>`);
     const middle = ({ gx, gy } = first) => `${x(gx + 0.5)} ${y(gy + 0.5)}`;
     parts.push(
       `<path d="M${middle(first)}L${middle(last)}" stroke="var(--ink)" stroke-width="2"/>`,

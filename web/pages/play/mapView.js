@@ -2,22 +2,33 @@
 
 import { sigmoid } from "../../src/grid.js";
 import { pixel } from "../../src/mapWriter.js";
-import { colour, element, input, setText } from "../shared/dom.js";
-import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
-import { shown } from "../shared/words.js";
+import { byId, colour, element, input, setText } from "../shared/dom.js";
+import { GreyLevels, GridCanvas, palette } from "../shared/gridCanvas.js";
+import { counted, plural, shown } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("./lab.js").Cell} Cell */
 /** @typedef {import("./lab.js").Moment} Moment */
 
+const GREY = palette();
+const FREED = palette(0.55, [59, 156, 240]);
+const FILLED = palette(0.55, [240, 118, 46]);
+
 export class MapView {
   #grey = new GreyLevels();
+  /** What the cells show now. @type {Moment | null} */
+  #shown = null;
+  #marked = true;
+  /** Its log-odds. */
+  #logOdds = new Float64Array(0);
+  #freed = 0;
+  #filled = 0;
 
   /** @param {Lab} lab @param {() => void} changed */
   constructor(lab, changed) {
     this.lab = lab;
-    const canvas = /** @type {HTMLCanvasElement} */ (element("map-view"));
-    this.view = new GridCanvas(canvas, changed);
+    this.place = byId("map-view", HTMLCanvasElement);
+    this.view = new GridCanvas(this.place, changed);
     const point = (/** @type {Cell | null} */ cell) => {
       lab.cursor = cell;
       changed();
@@ -27,50 +38,29 @@ export class MapView {
       lab.cell = cell;
       point(cell);
     };
-    canvas.addEventListener("pointermove", (event) =>
+    this.place.addEventListener("pointermove", (event) =>
       point(this.view.cellUnder(event)),
     );
-    canvas.addEventListener("click", (event) =>
+    this.place.addEventListener("click", (event) =>
       take(this.view.cellUnder(event)),
     );
     this.view.takeKeys(() => lab.cursor ?? lab.cell, point, take);
     input("show-changes").addEventListener("change", changed);
   }
 
-  /** Draws the map of a moment: of the newest one that is mapped. @param {Moment} moment */
-  show(moment) {
+  /** Draws the newest map that is done. */
+  render() {
     const { lab, view } = this;
+    const moment = lab.mapped;
+    if (moment === null) return;
     const { settings } = moment.run.world;
-    const { width, height } = settings;
-    const { before, now } = lab.maps(moment);
-    const grey = this.#grey.of(now);
-    const marks = input("show-changes").checked;
-    let freed = 0;
-    let filled = 0;
+    const isMarked = input("show-changes").checked;
     view.begin(settings, lab.pad);
-    view.paintCells((image) => {
-      for (let gy = 0; gy < height; gy++) {
-        let out = 4 * (height - 1 - gy) * width;
-        for (let i = gy * width; i < (gy + 1) * width; i++, out += 4) {
-          const level = grey[i];
-          let [red, green, blue] = [level, level, level];
-          if (now[i] !== before[i]) {
-            const free = now[i] < before[i];
-            if (free) freed += 1;
-            else filled += 1;
-            if (marks) {
-              red = 0.45 * level + 0.55 * (free ? 59 : 240);
-              green = 0.45 * level + 0.55 * (free ? 156 : 118);
-              blue = 0.45 * level + 0.55 * (free ? 240 : 46);
-            }
-          }
-          image[out] = red;
-          image[out + 1] = green;
-          image[out + 2] = blue;
-          image[out + 3] = 255;
-        }
-      }
-    });
+    if (moment === this.#shown && isMarked === this.#marked) {
+      view.drawCells();
+    } else {
+      this.#paint(moment, isMarked);
+    }
     view.frame(lab.cell, "#6d28d9");
     if (lab.cursor) view.frame(lab.cursor, "#d9480f");
     const { x, y } = (moment.added ?? moment.run.scans.at(moment.scan - 1))
@@ -89,8 +79,39 @@ export class MapView {
     const cell = lab.cursor ?? lab.cell;
     setText(
       element("map-words"),
-      `${cellWords(lab, cell, now)} This scan makes ${freed} cells more free and ${filled} more occupied.`,
+      `${cellWords(lab, cell, this.#logOdds)} This scan makes ${plural(this.#freed, "cell")} more free and ${counted(this.#filled)} more occupied.`,
     );
+  }
+
+  /** @param {Moment} moment @param {boolean} isMarked whether what the scan changes is coloured */
+  #paint(moment, isMarked) {
+    this.#shown = moment;
+    this.#marked = isMarked;
+    const { before, now } = this.lab.maps(moment);
+    const { width, height } = moment.run.world.settings;
+    const grey = this.#grey.of(now);
+    let freed = 0;
+    let filled = 0;
+    this.view.paintCells((image) => {
+      for (let gy = 0; gy < height; gy++) {
+        let out = (height - 1 - gy) * width;
+        for (let i = gy * width; i < (gy + 1) * width; i++, out++) {
+          let colours = GREY;
+          if (now[i] < before[i]) {
+            freed += 1;
+            if (isMarked) colours = FREED;
+          } else if (now[i] !== before[i]) {
+            filled += 1;
+            if (isMarked) colours = FILLED;
+          }
+          image[out] = colours[grey[i]];
+        }
+      }
+    });
+    this.#freed = freed;
+    this.#filled = filled;
+    if (this.#logOdds.length === now.length) this.#logOdds.set(now);
+    else this.#logOdds = now.slice();
   }
 }
 

@@ -85,10 +85,13 @@ const PRESETS = {
 };
 
 export class SettingsPanel {
+  #key = -1;
+
   /** @param {Lab} lab @param {() => void} changed */
   constructor(lab, changed) {
     this.lab = lab;
     this.changed = changed;
+    this.place = element("settings");
     element("sliders").append(
       ...SLIDERS.map(({ id, label, min, max, step }) =>
         make(
@@ -118,13 +121,22 @@ export class SettingsPanel {
         this.apply({ ...Object.fromEntries(keys), noReturn: "free" });
       });
     }
+    const isSeed = (/** @type {number} */ n) =>
+      Number.isInteger(n) && n >= 0 && n < 2 ** 32;
     const noise = () => {
-      const seed = Math.trunc(input("seed").valueAsNumber);
-      if (!(seed >= 0 && seed <= 4294967295)) return;
+      const seed = input("seed").valueAsNumber;
+      setText(
+        element("settings-words"),
+        isSeed(seed) ? "" : "A seed is a whole number from 0 to 4294967295.",
+      );
+      if (!isSeed(seed)) return;
       lab.setSeed(input("noise-free").checked ? null : seed);
       changed();
     };
-    input("noise-free").addEventListener("change", noise);
+    input("noise-free").addEventListener("change", () => {
+      if (!isSeed(input("seed").valueAsNumber)) input("seed").value = "0";
+      noise();
+    });
     input("seed").addEventListener("input", noise);
     const noReturn = byId("no-return", HTMLSelectElement);
     noReturn.addEventListener("change", () =>
@@ -141,6 +153,7 @@ export class SettingsPanel {
       this.lab.set({ ...values, ...this.#size(values) });
       setText(words, "");
     } catch (error) {
+      this.#key = -1; // the slider goes back
       setText(
         words,
         `Not possible: ${error instanceof Error ? error.message : error}.`,
@@ -165,6 +178,8 @@ export class SettingsPanel {
   }
 
   render() {
+    if (this.#key === this.lab.version) return;
+    this.#key = this.lab.version;
     const { settings } = this.lab.world;
     for (const { id, key, unit = "" } of SLIDERS) {
       const value = Number(settings[key]);

@@ -12,6 +12,7 @@ export class Transport {
   constructor(lab, changed) {
     this.lab = lab;
     this.changed = changed;
+    this.place = document.body; // keys of the world press its buttons, too
     this.speed = byId("speed", HTMLSelectElement);
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
       this.speed.value = "scan 1";

@@ -3,7 +3,7 @@
 import { sigmoid } from "../../src/grid.js";
 import { MISTAKES } from "../model/mistakes.js";
 import { byId, element, input, make, setText } from "../shared/dom.js";
-import { GreyLevels, GridCanvas } from "../shared/gridCanvas.js";
+import { GreyLevels, GridCanvas, palette } from "../shared/gridCanvas.js";
 import { counted, plural } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
@@ -33,6 +33,11 @@ export const SWITCHES = [
   "pixel-half-even",
 ];
 
+const GREY = palette();
+/** Of cells that differ in the picture, and of those that differ in their log-odds alone. */
+const SEEN = palette(0.7, [214, 48, 120]);
+const UNSEEN = palette(0.7, [180, 120, 210]);
+
 export class WhatIf {
   #grey = new GreyLevels();
   /** @type {Cell | null} */
@@ -42,6 +47,9 @@ export class WhatIf {
   /** @param {Lab} lab @param {() => void} changed */
   constructor(lab, changed) {
     this.lab = lab;
+    this.place = element("what-if");
+    /** Its maps are those of all scans. */
+    this.whole = true;
     const canvas = /** @type {HTMLCanvasElement} */ (element("wrong-view"));
     const redraw = () => {
       this.#key = "";
@@ -116,25 +124,23 @@ export class WhatIf {
     const coloured = input("show-differences").checked;
     let inLogOdds = 0;
     let inPicture = 0;
+    const values = sameSize ? wrong?.logOdds.values : undefined;
     this.view.begin(found);
     this.view.paintCells((image) => {
-      for (let i = 0; i < found.pixels.length; i++) {
-        const at = (height - 1 - Math.floor(i / width)) * width + (i % width);
-        const level = found.pixels[i];
-        const other =
-          sameSize && wrong !== null && wrong.logOdds.values[at] !== right[at];
-        const seen = sameSize && level !== grey[at];
-        if (other) inLogOdds += 1;
-        if (seen) inPicture += 1;
-        const mark = coloured && (seen || other);
-        image[4 * i] = mark ? 0.3 * level + 0.7 * (seen ? 214 : 180) : level;
-        image[4 * i + 1] = mark
-          ? 0.3 * level + 0.7 * (seen ? 48 : 120)
-          : level;
-        image[4 * i + 2] = mark
-          ? 0.3 * level + 0.7 * (seen ? 120 : 210)
-          : level;
-        image[4 * i + 3] = 255;
+      const { pixels } = found;
+      for (let i = 0; i < pixels.length; i++) {
+        let colours = GREY;
+        if (values) {
+          const at =
+            (height - 1 - Math.floor(i / width)) * width + (i % width);
+          const other = values[at] !== right[at];
+          const seen = pixels[i] !== grey[at];
+          if (other) inLogOdds += 1;
+          if (seen) inPicture += 1;
+          if (coloured && seen) colours = SEEN;
+          else if (coloured && other) colours = UNSEEN;
+        }
+        image[i] = colours[pixels[i]];
       }
     });
     if (this.#cursor) this.view.frame(this.#cursor, "#6d28d9");
@@ -149,11 +155,9 @@ export class WhatIf {
     );
     this.right.begin(settings);
     this.right.paintCells((image) => {
-      for (let i = 0; i < right.length; i++) {
-        const row = height - 1 - Math.floor(i / width);
-        const out = 4 * (row * width + (i % width));
-        image.fill(grey[i], out, out + 3);
-        image[out + 3] = 255;
+      for (let gy = 0, i = 0; gy < height; gy++) {
+        let out = (height - 1 - gy) * width;
+        for (let gx = 0; gx < width; gx++) image[out++] = GREY[grey[i++]];
       }
     });
     if (this.#cursor) this.right.frame(this.#cursor, "#6d28d9");

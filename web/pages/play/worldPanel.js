@@ -42,6 +42,7 @@ export class WorldPanel {
       changed();
     });
     const table = byId("walls", HTMLTableElement);
+    this.place = table;
     table.addEventListener("change", (event) => {
       const row = /** @type {Element} */ (event.target).closest("tr");
       if (!row) return;
@@ -49,7 +50,11 @@ export class WorldPanel {
         row.querySelectorAll("input"),
         (field) => field.valueAsNumber,
       );
-      if (numbers.some((n) => !Number.isFinite(n))) return;
+      if (numbers.some((n) => !Number.isFinite(n))) {
+        this.#key = -1; // the wall's own numbers come back
+        changed();
+        return;
+      }
       const [x0, y0, x1, y1] = numbers;
       const at = Number(row.dataset.wall);
       lab.setWalls(
@@ -67,8 +72,12 @@ export class WorldPanel {
       changed();
       button("add-wall").focus();
     });
-    takeFiles(element("drop"), input("file"), (name, bytes) =>
-      this.open(name, bytes),
+    takeFiles(
+      element("drop"),
+      input("file"),
+      (name, bytes) => this.open(name, bytes),
+      (name) =>
+        setText(element("file-words"), `${name}: cannot be read as a file.`),
     );
     button("download").addEventListener("click", () =>
       save(`${lab.name}.log`, scenarioText(lab.world)),

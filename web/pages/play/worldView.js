@@ -1,7 +1,7 @@
 /** The world: walls, path, robot and beams; the robot and the walls can be dragged. */
 
 import { Pose, Segment } from "../../src/world.js";
-import { button, colour, element, setText } from "../shared/dom.js";
+import { button, byId, colour, element, setText } from "../shared/dom.js";
 import { GridCanvas } from "../shared/gridCanvas.js";
 import { shown } from "../shared/words.js";
 import { endsOf } from "./lab.js";
@@ -26,7 +26,8 @@ export class WorldView {
   constructor(lab, changed) {
     this.lab = lab;
     this.changed = changed;
-    const canvas = /** @type {HTMLCanvasElement} */ (element("world-view"));
+    const canvas = byId("world-view", HTMLCanvasElement);
+    this.place = canvas;
     this.view = new GridCanvas(canvas, changed);
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => {

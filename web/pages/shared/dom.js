@@ -111,10 +111,19 @@ export function save(name, text) {
  * @param {HTMLElement} place
  * @param {HTMLInputElement} chooser
  * @param {(name: string, bytes: Uint8Array) => void} take
+ * @param {(name: string) => void} fail gets a file that cannot be read, or a folder
  */
-export function takeFiles(place, chooser, take) {
+export function takeFiles(place, chooser, take, fail) {
   const read = async (/** @type {File | undefined} */ file) => {
-    if (file) take(file.name, new Uint8Array(await file.arrayBuffer()));
+    if (!file) return;
+    let bytes;
+    try {
+      bytes = new Uint8Array(await file.arrayBuffer());
+    } catch {
+      fail(file.name);
+      return;
+    }
+    take(file.name, bytes);
   };
   chooser.addEventListener("change", () => {
     read(chooser.files?.[0]);

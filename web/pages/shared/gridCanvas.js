@@ -65,13 +65,19 @@ export class GridCanvas {
   /**
    * Draws a colour for each cell.
    *
-   * @param {(image: Uint8ClampedArray) => void} paint fills in red, green, blue and opacity, row with the largest y first
+   * @param {(image: Uint32Array) => void} paint fills in colours of palettes, row with the largest y first
    */
   paintCells(paint) {
     const { width, height } = this.size;
     this.#image ??= this.inner.createImageData(width, height);
-    paint(this.#image.data);
+    paint(new Uint32Array(this.#image.data.buffer));
     this.inner.putImageData(this.#image, 0, 0);
+    this.drawCells();
+  }
+
+  /** Draws the cells once more as they were painted. */
+  drawCells() {
+    const { width, height } = this.size;
     this.context.imageSmoothingEnabled = false;
     const { x, y } = this.at(0, height);
     this.context.drawImage(
@@ -158,6 +164,24 @@ export class GridCanvas {
       }
     });
   }
+}
+
+/**
+ * The colours of the grey levels 0 to 255, mixed with a part of another colour, as a picture's memory holds them.
+ *
+ * @param {number} part of the other colour, 0 to 1
+ * @param {[number, number, number]} other red, green and blue, 0 to 255
+ * @returns {Uint32Array}
+ */
+export function palette(part = 0, other = [0, 0, 0]) {
+  const bytes = new Uint8ClampedArray(4 * 256);
+  for (let level = 0; level < 256; level++) {
+    other.forEach((value, i) => {
+      bytes[4 * level + i] = (1 - part) * level + part * value;
+    });
+    bytes[4 * level + 3] = 255;
+  }
+  return new Uint32Array(bytes.buffer);
 }
 
 /** Grey levels of a map, computed anew only where it has changed. */
