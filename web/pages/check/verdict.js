@@ -14,6 +14,7 @@ import {
   tryMistakes,
 } from "../model/compareMaps.js";
 import { explainByRounding } from "../model/sides.js";
+import { saying } from "../model/steps.js";
 import { counted, plural } from "../shared/words.js";
 
 /** @typedef {import("../model/mistakenMapper.js").World} World */
@@ -32,7 +33,7 @@ import { counted, plural } from "../shared/words.js";
 /**
  * @typedef {object} Step
  * @property {string} doing what comes next
- * @property {number} part how much of it is done, from 0 to 1
+ * @property {number | null} part how much of it is done, from 0 to 1; null where nobody can know
  * @property {Verdict} [known] the verdict, but for mistakes that draw the same map
  */
 
@@ -43,7 +44,7 @@ import { counted, plural } from "../shared/words.js";
  * @returns {Generator<Step, Verdict>}
  */
 export function* judge(found, world, seed) {
-  yield { doing: "Drawing the right map", part: 0 };
+  yield { doing: "Drawing the right map", part: null };
   const reference = referenceOf(world, seed);
   const what = "picture" in found ? "picture" : "log-odds";
   const { width, height } = reference;
@@ -86,10 +87,12 @@ export function* judge(found, world, seed) {
     const known = verdict("size", words, base);
     return yield* withMistakes(known, found, world, seed);
   }
-  yield { doing: "Looking at beams that rounding decides", part: 0 };
   const explained =
     "picture" in found
-      ? explainByRounding(world, seed, fromBelow(found.picture))
+      ? yield* saying(
+          { doing: "Looking at beams that rounding decides", part: null },
+          explainByRounding(world, seed, fromBelow(found.picture)),
+        )
       : null;
   if (explained !== null) {
     return { ...base, ...rounding(explained, wrong.length) };
@@ -102,7 +105,7 @@ export function* judge(found, world, seed) {
       "All of them differ by less than 0.000000001, so it may be another logarithm's last bits and nothing more. This page does not follow that up for log-odds; the full check does.",
     );
   }
-  yield { doing: "Looking at maps of fewer scans", part: 0 };
+  yield { doing: "Looking at maps of fewer scans", part: null };
   const other = otherMode(found, world, seed);
   const prefix = prefixThatFits(found, world, seed);
   if (other !== null) {
@@ -117,6 +120,8 @@ export function* judge(found, world, seed) {
     words.push(...trouble(wrong, reference));
   }
   const known = verdict("differs", words, base);
+  // no mistake that the page knows adds noise
+  if (other !== null && seed === null) return known;
   return yield* withMistakes(known, found, world, seed);
 }
 
@@ -130,7 +135,9 @@ function verdict(status, words, base) {
   return { ...base, status, tone: "bad", words };
 }
 
-/** @param {NonNullable<ReturnType<typeof explainByRounding>>} explained @param {number} count */
+/** @typedef {import("../model/sides.js").Explained} Explained */
+
+/** @param {Explained} explained @param {number} count */
 function rounding({ kind, turned, halves }, count) {
   if (kind === "halves") {
     return {

@@ -2,12 +2,20 @@
 
 import { judgeFile } from "./judgeFile.js";
 
+/** How long a page needs not know how far it is, in milliseconds. */
+const UNTOLD = 50;
+
 addEventListener(
   "message",
   (/** @type {MessageEvent<import("./judgeFile.js").Job>} */ { data }) => {
     const steps = judgeFile(data);
+    let told = -Infinity;
     for (let next = steps.next(); ; next = steps.next()) {
-      postMessage(next);
+      const isNews = next.done || next.value.known || next.value.part === 1;
+      if (isNews || performance.now() - told >= UNTOLD) {
+        postMessage(next);
+        told = performance.now();
+      }
       if (next.done) return;
     }
   },

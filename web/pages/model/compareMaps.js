@@ -6,6 +6,7 @@ import { pixel } from "../../src/mapWriter.js";
 import { newGrid, Scenario } from "../../src/scenario.js";
 import { ManyMistakes } from "./manyMistakes.js";
 import { MISTAKES } from "./mistakes.js";
+import { saying } from "./steps.js";
 
 /** @typedef {import("./mistakenMapper.js").World} World */
 /** @typedef {import("./readFiles.js").Picture} Picture */
@@ -201,13 +202,15 @@ export function firstTrouble(wrong, { firstTouch, lastTouch, scans }) {
   return { touched, settled, never, known: touched <= scans };
 }
 
+/** @typedef {{tried: number, of: number, same: import("./mistakenMapper.js").Mistake | null}} Trial */
+
 /**
- * Mistakes of the page's that draw the same map, tried one after the other.
+ * Mistakes of the page's that draw the same map, tried one after the other; `same` tells of one.
  *
  * @param {Found} found
  * @param {World} world
  * @param {number | null} seed
- * @returns {Generator<{tried: number, of: number, same: import("./mistakenMapper.js").Mistake | null}>}
+ * @returns {Generator<Trial, void>}
  */
 export function* tryMistakes(found, world, seed) {
   const all = Array.from(MISTAKES.values()).filter(
@@ -215,8 +218,11 @@ export function* tryMistakes(found, world, seed) {
   );
   const size = sizeOf(found);
   const maps = new ManyMistakes(world, seed);
+  /** @param {number} tried @returns {Trial} */
+  const soFar = (tried) => ({ tried, of: all.length, same: null });
+  yield* saying(soFar(0), maps.prepare());
   for (const [i, mistake] of all.entries()) {
-    const drawn = maps.draw(mistake);
+    const drawn = yield* saying(soFar(i), maps.draw(mistake));
     const right = "picture" in found ? drawn.picture : drawn.logOdds;
     const values =
       "picture" in found ? found.picture.pixels : found.logOdds.values;
@@ -226,6 +232,6 @@ export function* tryMistakes(found, world, seed) {
       size.width === right.width &&
       size.height === right.height &&
       expected.every((value, k) => value === values[k]);
-    yield { tried: i + 1, of: all.length, same: same ? mistake : null };
+    yield { ...soFar(i + 1), same: same ? mistake : null };
   }
 }

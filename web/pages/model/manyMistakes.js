@@ -34,38 +34,50 @@ function steps(...names) {
 
 export class ManyMistakes {
   /** @type {Scan[]} */
-  #scans;
+  #scans = [];
   /** @type {Beams[]} */
-  #beams;
+  #beams = [];
   /** @type {Int32Array[]} */
-  #updates;
+  #updates = [];
   /** @type {Float64Array} */
-  #map;
+  #map = new Float64Array(0);
 
   /** @param {World} world @param {number | null} seed */
   constructor(world, seed) {
     this.world = world;
     this.seed = seed;
-    const right = new MistakenMapper(world, seed, []);
-    this.#scans = world.scans.map((_, number) => right.scan(number));
+  }
+
+  /** What all mistakes have in common; it comes first. @returns {Generator<void, void>} */
+  *prepare() {
+    const right = new MistakenMapper(this.world, this.seed, []);
+    const numbers = Array.from(this.world.scans.keys());
+    for (const number of numbers) {
+      yield;
+      this.#scans.push(right.scan(number));
+    }
     right.scan = (number) => this.#scans[number];
-    this.#beams = this.#scans.map((_, number) => right.beams(number));
+    for (const number of numbers) {
+      yield;
+      this.#beams.push(right.beams(number));
+    }
     right.beams = (number) => this.#beams[number];
-    this.#updates = this.#beams.map((_, number) =>
-      Int32Array.from(right.updates(number)),
-    );
+    for (const number of numbers) {
+      yield;
+      this.#updates.push(Int32Array.from(right.updates(number)));
+    }
     right.updates = (number) => this.#updates[number];
-    this.#map = this.#added(right);
+    this.#map = yield* this.#added(right);
   }
 
   /** What the files of a mistake's map hold. @param {Mistake} mistake */
-  draw(mistake) {
+  *draw(mistake) {
     const mapper = new MistakenMapper(this.world, this.seed, [mistake]);
-    return mapper.files(this.#mapOf(mapper));
+    return mapper.files(yield* this.#mapOf(mapper));
   }
 
-  /** @param {MistakenMapper} mapper @returns {Float64Array} */
-  #mapOf(mapper) {
+  /** @param {MistakenMapper} mapper @returns {Generator<void, Float64Array>} */
+  *#mapOf(mapper) {
     const differs = (/** @type {(keyof Steps)[]} */ names) =>
       mapper.changed.some((name) => names.includes(name));
     if (!differs(MAP)) return this.#map;
@@ -73,29 +85,31 @@ export class ManyMistakes {
     if (!differs(ENDS)) mapper.beams = (number) => this.#beams[number];
     if (!differs(UPDATES)) mapper.updates = (number) => this.#updates[number];
     if (mapper.changed.every((name) => ENDS.includes(name))) {
-      return this.#drawn(mapper);
+      return yield* this.#drawn(mapper);
     }
-    return this.#added(mapper);
+    return yield* this.#added(mapper);
   }
 
   /** The map of all scans. @param {MistakenMapper} mapper */
-  #added(mapper) {
+  *#added(mapper) {
     const map = mapper.start();
-    this.#scans.forEach((_, number) => {
+    for (const number of this.#scans.keys()) {
+      yield;
       mapper.add(map, number);
-    });
+    }
     return map;
   }
 
   /** The map where nothing but the ends of beams may be wrong. @param {MistakenMapper} mapper */
-  #drawn(mapper) {
+  *#drawn(mapper) {
     const grid = newGrid(this.world.settings);
-    this.#scans.forEach((_, number) => {
+    for (const number of this.#scans.keys()) {
+      yield;
       const { from, beams } = mapper.beams(number);
       for (const { to, hit } of beams) {
         updateFromBeam(grid, from.gx, from.gy, to.gx, to.gy, hit);
       }
-    });
+    }
     return grid.logOdds;
   }
 }

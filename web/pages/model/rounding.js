@@ -4,7 +4,7 @@
  * `occgrid-parity check` (compare, module rounding); all ways that such a beam can go are listed.
  */
 
-import { normalDeviate } from "../../src/noise.js";
+import { noisyRange, normalDeviate } from "../../src/noise.js";
 import { cos, sin } from "../../src/portableMath.js";
 import { beamAngles, Scan } from "../../src/sensor.js";
 
@@ -19,27 +19,16 @@ const U = 2 ** -52;
 const MARGIN = 1e-12;
 
 /**
- * All beams, in order.
+ * The beams of a scan, in order.
  *
  * @param {World} world
+ * @param {number} number of the scan, from 0
  * @param {number | null} seed
  * @returns {Beam[]}
  */
-export function beamsOf(world, seed) {
-  return world.scans.flatMap((scan, number) =>
-    scanBeams(world, scan, number, seed),
-  );
-}
-
-/**
- * @param {World} world
- * @param {Pose | Scan} scan
- * @param {number} number
- * @param {number | null} seed
- * @returns {Beam[]}
- */
-function scanBeams({ settings, walls }, scan, number, seed) {
+export function beamsOfScan({ settings, walls, scans }, number, seed) {
   const s = settings;
+  const scan = scans[number];
   const recorded = scan instanceof Scan;
   const pose = recorded ? scan.pose : scan;
   const angles = recorded ? scan.angles : beamAngles(s.fov, s.beams);
@@ -60,7 +49,7 @@ function scanBeams({ settings, walls }, scan, number, seed) {
       if (seed !== null) {
         const noise = s.noiseStd * normalDeviate(seed, number, beam);
         ranges = ranges.map(({ z, error }) => {
-          const noisy = Math.min(Math.max(z + noise, 0), s.maxRange);
+          const noisy = noisyRange(z, noise, s.maxRange);
           const blur = 16 * U * (Math.abs(noise) + noisy);
           return { z: noisy, error: error + blur };
         });

@@ -6,11 +6,12 @@
 import { sigmoid } from "../../src/grid.js";
 import { bresenham } from "../../src/ray.js";
 import { newGrid } from "../../src/scenario.js";
-import { beamsOf } from "./rounding.js";
+import { beamsOfScan } from "./rounding.js";
 
 /** @typedef {import("./mistakenMapper.js").World} World */
 /** @typedef {import("./rounding.js").Beam} Beam */
 /** @typedef {import("./rounding.js").Way} Way */
+/** @typedef {{kind: "halves" | "edges", turned: {scan: number, beam: number}[], halves: number}} Explained beams that go another way, and cells with the other level */
 /** @typedef {{gain: number, at: number, way: number}} Turn another way for one beam; gain < 0: it brings the map nearer */
 
 const NOTHING = 0;
@@ -19,6 +20,8 @@ const OCCUPIED = 2;
 const MOST_CELLS = 4000;
 const MOST_TRIES = 60000;
 const U = 2 ** -52;
+/** So many beams are listed in a step. */
+const AT_A_TIME = 500;
 
 /**
  * The two levels that rounding can make of log-odds with so many updates behind them.
@@ -34,18 +37,23 @@ function greyLevels(logOdds, updates) {
 }
 
 /**
- * How a picture of the right size can come about by rounding alone.
+ * How a picture of the right size can come about by rounding alone. It may take seconds, so it is searched step by step.
  *
  * @param {World} world
  * @param {number | null} seed
  * @param {ArrayLike<number>} pixels of the program, row 0 at the bottom
- * @returns {{kind: "halves" | "edges", turned: {scan: number, beam: number}[], halves: number} | null} null: no way
- *   was found
+ * @returns {Generator<void, Explained | null>} null: no way was found
  */
-export function explainByRounding(world, seed, pixels) {
-  const beams = beamsOf(world, seed);
+export function* explainByRounding(world, seed, pixels) {
+  /** @type {Beam[]} */
+  const beams = [];
+  for (let number = 0; number < world.scans.length; number++) {
+    beams.push(...beamsOfScan(world, number, seed));
+    yield;
+  }
   const search = new Search(world, beams, pixels);
-  if (!search.solve()) return null;
+  yield* search.list();
+  if (!(yield* search.solve())) return null;
   const turned = Array.from(search.turned, (at) => ({
     scan: beams[at].scan,
     beam: beams[at].beam,
@@ -86,26 +94,14 @@ class Search {
     this.chosen = new Int8Array(beams.length);
     /** @type {Map<string, Map<number, number>>} */
     this.effects = new Map();
-    this.#list();
   }
 
   /** The visits of all ways to each cell, in the order of the beams: one after another, found by `from`. */
-  #list() {
+  *list() {
     const cells = this.width * this.height;
     const count = new Int32Array(cells + 1);
-    const each = (
-      /** @type {(cell: number, at: number, way: number, kind: number) => void} */ visit,
-    ) => {
-      this.beams.forEach(({ ways }, at) => {
-        ways.forEach((way, number) => {
-          for (const [cell, kind] of this.#trace(way)) {
-            visit(cell, at, number, kind);
-          }
-        });
-      });
-    };
     let total = 0;
-    each((cell) => {
+    yield* this.#visits((cell) => {
       count[cell + 1] += 1;
       total += 1;
     });
@@ -115,12 +111,24 @@ class Search {
     this.visitBeam = new Int32Array(total);
     this.visitWay = new Int8Array(total);
     this.visitKind = new Int8Array(total);
-    each((cell, at, way, kind) => {
+    yield* this.#visits((cell, at, way, kind) => {
       const place = next[cell]++;
       this.visitBeam[place] = at;
       this.visitWay[place] = way;
       this.visitKind[place] = kind;
     });
+  }
+
+  /** @param {(cell: number, at: number, way: number, kind: number) => void} visit */
+  *#visits(visit) {
+    for (const [at, { ways }] of this.beams.entries()) {
+      if (at % AT_A_TIME === 0) yield;
+      for (const [number, way] of ways.entries()) {
+        for (const [cell, kind] of this.#trace(way)) {
+          visit(cell, at, number, kind);
+        }
+      }
+    }
   }
 
   /** What a way does to each of its cells in the grid. @param {Way} way @returns {Generator<[number, number]>} */
@@ -166,7 +174,8 @@ class Search {
     return Math.max(Math.abs((1 - sigmoid(value)) * 255 - level), 1e-6);
   }
 
-  solve() {
+  /** @returns {Generator<void, boolean>} whether a choice was found */
+  *solve() {
     for (let cell = 0; cell < this.width * this.height; cell++) {
       const off = this.#off(cell);
       if (off > 0) this.open.set(cell, off);
@@ -175,7 +184,10 @@ class Search {
     for (const cell of this.open.keys()) {
       if (!this.#isUndecided(cell)) return false;
     }
-    return [0, 1, 2].some((aside) => this.#solveWith(aside));
+    for (const aside of [0, 1, 2]) {
+      if (yield* this.#solveWith(aside)) return true;
+    }
+    return false;
   }
 
   /** Whether a beam that can go several ways can touch the cell. @param {number} cell */
@@ -186,13 +198,14 @@ class Search {
     return false;
   }
 
-  /** Turns beams one after the other, the best turn first; some turns may bring the map no nearer. @param {number} aside */
-  #solveWith(aside) {
+  /** Turns beams one after the other, the best turn first; some turns may bring the map no nearer. @param {number} aside @returns {Generator<void, boolean>} */
+  *#solveWith(aside) {
     this.#tries = 0;
     /** @type {{at: number, before: number, aside: number, turns: Turn[]}[]} */
     const steps = [];
     let turns = this.#turns(aside);
     while (this.open.size > 0) {
+      yield;
       const turn = turns.shift();
       if (turn && this.#tries < MOST_TRIES) {
         steps.push({
