@@ -31,6 +31,7 @@ export class Stage {
   #version = -1;
   /** Whether the map has been behind since then. */
   #late = false;
+  #isOpen = false;
 
   /** @param {Lab} lab @param {() => void} settle does what is only done when the page rests */
   constructor(lab, settle) {
@@ -76,6 +77,8 @@ export class Stage {
 
   frame() {
     const { lab } = this;
+    if (!this.#isOpen) this.drawAll(); // a page opens whole
+    this.#isOpen = true;
     const isMapped = lab.mapOn(SLICE);
     const moves = lab.version !== this.#version || !isMapped;
     for (const figure of this.#figures) {
@@ -87,7 +90,7 @@ export class Stage {
         if (whole) place.setAttribute("aria-busy", `${moves}`);
       }
     }
-    this.#tellLate(!isMapped && lab.mapped !== null);
+    this.#tellLate(!isMapped);
     window.clearTimeout(this.#timer);
     if (!isMapped) this.mapOn();
     else if (!lab.playing) {
