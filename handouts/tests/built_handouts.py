@@ -70,7 +70,7 @@ def build_into(folder: Path) -> Handouts:
     edition = current_edition()
     built = os.environ.get("OCCGRID_HANDOUTS")
     if built:
-        folder = Path(built)
+        folder = Path(built).resolve()
     elif not folder.exists():
         build(
             ROOT,
