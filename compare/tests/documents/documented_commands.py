@@ -52,6 +52,7 @@ HEADS = (
     "occgrid-parity",
     "octave-cli",
     "pip",
+    "python3",
     "sh",
     "sudo",
     "wolframscript",
@@ -78,6 +79,7 @@ NOT_RUN = {
     "mvn": LONG,
     "sudo apt-get": INSTALLS,
     "pip install": INSTALLS,
+    "python3 -m venv .venv": INSTALLS,
     "npm ci": INSTALLS,
     "g++ -std=c++17": ELSEWHERE,  # cpp/tests: build_consumer
     "java -cp target/occgrid.jar TwoMaps.java": ELSEWHERE,  # java: ReadmeTest

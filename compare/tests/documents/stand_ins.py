@@ -10,10 +10,11 @@ from pathlib import Path
 # What builds and set-up have made: shared with the copy.
 MADE = (
     ".venv",
-    "cpp/build",
     "java/target",
     "web/node_modules",
 )
+# The ports that are built in the copy: CMake's folder works in one place only.
+BUILT_THERE = ("cpp",)
 GIT = ("git", "-c", "user.name=copy", "-c", "user.email=copy@localhost")
 
 
@@ -77,5 +78,8 @@ def _bring(copy: Path) -> None:
     (copy / "roster.csv").write_text(
         'submission,Student,ID,SIS Login ID,Section,Email address\nteam-a,"Doe, Jane",101,jdoe,1,jdoe@example.org\n'
     )
-    for name in ("intel.gfs.log", "compare/LOG"):
-        shutil.copy(scenarios / "flaser.log", copy / name)
+    shutil.copy(scenarios / "flaser.log", copy / "intel.gfs.log")
+    # a robot's log has none of the lines that make it a scenario
+    lines = (scenarios / "flaser.log").read_text().splitlines(keepends=True)
+    log = [line for line in lines if line.startswith("FLASER ")]
+    (copy / "compare" / "LOG").write_text("".join(log))

@@ -18,7 +18,7 @@ from .documented_commands import (
     Documented,
     documented,
 )
-from .stand_ins import lay_out
+from .stand_ins import BUILT_THERE, lay_out
 
 COMMANDS = {name: documented(ROOT, name) for name in DOCUMENTS}
 # A check's levels and their noise take an interpreter minutes.
@@ -91,6 +91,10 @@ def test_commands_run_as_they_are_printed(
         **os.environ,
         "PATH": f"{ROOT}/.venv/bin{os.pathsep}{os.environ['PATH']}",
     }
+    for port in needed_ports(commands):
+        if port.name in BUILT_THERE:
+            build = ["occgrid-parity", "build", port.name]
+            subprocess.run(build, cwd=copy, env=environment, check=True)
     shown: list[str] = []
     for one in commands:
         done = subprocess.run(

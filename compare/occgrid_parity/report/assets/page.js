@@ -200,6 +200,7 @@ async function showCase(number, portIndex) {
   document.querySelector(`#thumbs [data-case="${number}"]`).classList.add("chosen");
   showPorts();
   if (shown.maps.length === 0) return;
+  document.querySelector(".key.wall").hidden = shown.walls.length === 0;
   document.querySelector(".key.beam").hidden = !beamStart();
   const scrubber = byId("scrubber");
   scrubber.disabled = !shown.frames;
@@ -319,7 +320,8 @@ function drawAxes(context) {
     const at = view.x + ((i * step - ox) / resolution) * view.scale;
     if (at > w) break;
     line(context, [at, floor], [at, floor + 4 * devicePixelRatio], style("--text"), 1);
-    context.fillText(label(i * step), at, floor + 13 * devicePixelRatio);
+    context.textAlign = at > w - 12 * devicePixelRatio ? "right" : "center";
+    context.fillText(label(i * step), Math.min(at, w - 2 * devicePixelRatio), floor + 13 * devicePixelRatio);
   }
   const top = expectedMap().height;
   const firstY = oy + (top - (floor - view.y) / view.scale) * resolution;
@@ -328,7 +330,7 @@ function drawAxes(context) {
     const at = view.y + (top - (i * step - oy) / resolution) * view.scale;
     if (at < 0) break;
     line(context, [left - 4 * devicePixelRatio, at], [left, at], style("--text"), 1);
-    context.fillText(label(i * step), left - 6 * devicePixelRatio, at);
+    context.fillText(label(i * step), left - 6 * devicePixelRatio, Math.max(at, 7 * devicePixelRatio));
   }
   context.textAlign = "left";
   context.fillText(shown.origin ? "m" : "cells", 4 * devicePixelRatio, floor + 13 * devicePixelRatio);
