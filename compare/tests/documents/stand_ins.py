@@ -82,4 +82,4 @@ def _bring(copy: Path) -> None:
     # a robot's log has none of the lines that make it a scenario
     lines = (scenarios / "flaser.log").read_text().splitlines(keepends=True)
     log = [line for line in lines if line.startswith("FLASER ")]
-    (copy / "compare" / "LOG").write_text("".join(log))
+    (copy / "compare" / "robot.clf").write_text("".join(log))
