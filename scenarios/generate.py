@@ -481,6 +481,7 @@ def wall_ends() -> str:
         (4.5, 11.0, 4.5, 11.5),  # three at one ray: the nearest counts
         (2.5, 11.5, 2.5, 11.6),
         (6.5, 11.4, 6.5, 11.6),
+        (6.5, 0.0, 6.5, math.nextafter(0.25, 0.0)),  # u is one ulp above 1
     ]
     head = [
         *_grid(10, 12, 1.0, 0.0, 0.0, 8.0),
@@ -493,7 +494,55 @@ def wall_ends() -> str:
         "One beam in each row, at a wall that begins or ends on it, just "
         "misses it, is parallel or nearly so.",
         head,
-        [*rows, "POSE 0.5 0 0"],
+        [*rows, "POSE 0.5 0 0", "POSE 0.5 0.25 0"],
+    )
+
+
+def slanting() -> str:
+    """Walls that a beam meets at the smallest angles."""
+    walls, poses = [], []
+    for row, rise in enumerate((5e-4, 5e-7, 5e-10, -5e-4, -5e-7, -5e-10)):
+        y = row + 1.5
+        walls.append((2.5, y - rise / 2, 6.5, y + rise / 2))
+        poses.append(f"POSE 0.5 {y} 0")
+    return _text(
+        "Walls nearly along a beam, which rise by 0.0005 m to 5e-10 m over 4 m: it meets each in the middle of a cell.",
+        [
+            *_grid(10, 9, 1.0, 0.0, 0.0, 8.0),
+            *_params(beams=3, noise_std=0.1),
+            *(" ".join(["WALL", *map(_number, wall)]) for wall in walls),
+        ],
+        poses,
+    )
+
+
+def tips() -> str:
+    """Walls that begin or end exactly on a beam, in numbers that leave nothing to rounding."""
+    walls = [
+        (3.5, 1.5, 3.5, 1.75),
+        (4.5, 2.25, 4.5, 2.5),
+        (5.5, 3.75, 5.5, 3.5),
+        (6.5, 4.5, 6.5, 4.25),
+    ]
+    return _text(
+        "Walls of which one end lies exactly on a beam: the beam meets them.",
+        [
+            *_grid(10, 7, 1.0, 0.0, 0.0, 8.0),
+            *_params(beams=3, noise_std=0.1),
+            *(" ".join(["WALL", *map(_number, wall)]) for wall in walls),
+        ],
+        [f"POSE 0.5 {row}.5 0" for row in range(1, 5)],
+    )
+
+
+def at_a_clamp(low: float, high: float) -> str:
+    """The prior is one of the clamps itself."""
+    which = "lower" if low == 0.0 else "upper"
+    return _model(
+        f"The prior is exactly the {which} clamp: evidence towards it changes nothing, other evidence does.",
+        p0=0.5,
+        l_min=low,
+        l_max=high,
     )
 
 
@@ -702,6 +751,10 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "min-range": min_range,
     "noise-clamp": noise_clamp,
     "wall-ends": wall_ends,
+    "slanting": slanting,
+    "tips": tips,
+    "at-lower-clamp": lambda: at_a_clamp(0.0, 2.5),
+    "at-upper-clamp": lambda: at_a_clamp(-2.5, 0.0),
     "low-limits": low_limits,
     "high-limits": high_limits,
     "fine-grid": fine_grid,

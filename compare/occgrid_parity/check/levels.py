@@ -51,7 +51,9 @@ LEVELS = (
     LevelPlan("clamping", "clamping", ("saturate",)),
     LevelPlan("prior", "a prior that is not one half", ("prior",)),
     LevelPlan("outside", "outside the grid", ("outside",)),
-    LevelPlan("simulated", "simulated scans", ("asymmetric",)),
+    LevelPlan(
+        "simulated", "simulated scans", ("asymmetric", "slanting", "tips")
+    ),
     LevelPlan("recorded", "recorded scans", ("flaser", "robotlaser1")),
     LevelPlan(
         "mixed",

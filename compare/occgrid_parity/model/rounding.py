@@ -9,6 +9,8 @@ contract's is bounded here by a few units in the last place (u = 2^-52) of what 
 - the endpoint: the range's error, the range times the direction's error and 2 u, and 4 u of the coordinates;
 - in cells: all that over the resolution, and 4 u of the number of cells;
 - a pose that is read from a file, and the end of a range of 0 m, are exact, and so are their cells;
+- at heading 0, the middle one of 3, 5, 9, ... beams has the direction (1, 0) exactly, so that it meets a wall straight
+  across even where this ends on the beam;
 - a program that computes the lesson's poses has errors in them, but for the first: cos(0) is 1 and sin(0) is 0.
 
 Where the cell, the hit or the wall is the same on the whole interval, no rounding can change the beam. Every other beam

@@ -64,6 +64,9 @@ C = {
     "last-wall": Expected(
         "no-return outside simulated mixed formats noise mixed-noise"
     ),
+    "coarse-parallel": Expected("simulated"),
+    "no-end": Expected("simulated"),
+    "no-beginning": Expected("simulated"),
     "sign-clamp": Expected("clamping powers"),
     "short-range": Expected(
         "no-return simulated recorded mixed noise mixed-noise"

@@ -35,6 +35,8 @@ CONDITIONED = (
     "prior",
     "outside",
     "robotlaser1",
+    "slanting",
+    "tips",
 )
 
 
