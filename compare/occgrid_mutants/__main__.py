@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import hashlib
 import random
 import shutil
 import tempfile
@@ -11,7 +12,7 @@ from functools import partial
 from pathlib import Path
 
 from occgrid_mutants.campaign import Campaign, Result
-from occgrid_mutants.report import summary, write
+from occgrid_mutants.report import Run, read, summary, write
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -44,6 +45,11 @@ def main() -> None:
         help="leave out the changes of this module; can be repeated",
     )
     parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="go on with the run in --out that was interrupted",
+    )
+    parser.add_argument(
         "--jobs", type=int, default=2, help="side by side (default: 2)"
     )
     parser.add_argument(
@@ -56,39 +62,75 @@ def main() -> None:
     # a run takes long, and the files may be edited meanwhile
     with tempfile.TemporaryDirectory() as folder:
         for name in ("python", "scenarios"):
-            shutil.copytree(ROOT / name, Path(folder) / name)
-        _run(options, Campaign(Path(folder), partial(print, flush=True)))
+            shutil.copytree(
+                ROOT / name,
+                Path(folder) / name,
+                ignore=shutil.ignore_patterns("__pycache__"),
+            )
+        sources = _fingerprint([Path(folder), Path(__file__).parent])
+        campaign = Campaign(Path(folder), partial(print, flush=True))
+        try:
+            _run(options, campaign, sources)
+        except ValueError as error:
+            parser.exit(1, f"{error}\n")
 
 
-def _run(options: argparse.Namespace, campaign: Campaign) -> None:
+def _fingerprint(folders: list[Path]) -> str:
+    """A hash of the files that decide what a run finds."""
+    total = hashlib.sha256()
+    for folder in folders:
+        for file in sorted(folder.rglob("*")):
+            if file.is_file() and file.suffix != ".pyc":
+                total.update(f"{file.relative_to(folder)}\n".encode())
+                total.update(hashlib.sha256(file.read_bytes()).digest())
+    return total.hexdigest()
+
+
+def _run(
+    options: argparse.Namespace, campaign: Campaign, sources: str
+) -> None:
     chosen = [
-        s
-        for s in campaign.sites
-        if options.only in s.name and s.module not in options.without
+        (number, site)
+        for number, site in enumerate(campaign.sites)
+        if options.only in site.name and site.module not in options.without
     ]
+    # at random, so that what has been tried when a run is stopped is a fair sample
+    random.Random(options.seed).shuffle(chosen)
     of = len(chosen)
-    if options.minutes is not None or options.count is not None:
-        random.Random(options.seed).shuffle(chosen)
-        chosen = chosen[: options.count]
-    results: list[Result] = []
+    chosen = chosen[: options.count]
+    results: dict[int, Result] = {}
+    before = 0.0
+    if options.resume:
+        results, before = read(options.out, campaign.sites, sources)
+        for result in results.values():
+            campaign.learn(result)
+    numbers = {id(site): number for number, site in chosen}
+    left = [site for number, site in chosen if number not in results]
     start = time.monotonic()
 
+    def keep() -> None:
+        seconds = before + time.monotonic() - start
+        write(options.out, results, Run(sources, of, seconds))
+
     def done(result: Result) -> None:
-        results.append(result)
+        results[numbers[id(result.site)]] = result
         if not result.seen_by:
+            print(f"nothing sees {result.site.name}", flush=True)
+        if len(results) % 25 == 0:  # what is found stays, however a run ends
+            keep()
+            minutes = (time.monotonic() - start) / 60.0
             print(
-                f"{len(results)}: nothing sees {result.site.name}", flush=True
+                f"{len(results)} of {len(chosen)}, {minutes:.0f} minutes",
+                flush=True,
             )
-        if (
-            len(results) % 10 == 0
-        ):  # what is found so far stays, however the run ends
-            write(options.out, results, of, time.monotonic() - start)
 
     until = None if options.minutes is None else start + 60 * options.minutes
-    campaign.run(chosen, options.jobs, done, until)
-    seconds = time.monotonic() - start
-    write(options.out, results, of, seconds)
-    print("\n".join(summary(results, of, seconds)))
+    try:
+        campaign.run(left, options.jobs, done, until)
+    finally:
+        keep()
+    seconds = before + time.monotonic() - start
+    print("\n".join(summary(list(results.values()), of, seconds)))
 
 
 if __name__ == "__main__":

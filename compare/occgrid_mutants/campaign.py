@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import signal
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from contextlib import nullcontext
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import CodeType
 
-from occgrid_mutants import port_modules
-from occgrid_mutants.calls import MODULE, Calls
+from occgrid_mutants import port_modules, readings
+from occgrid_mutants.calls import Calls
+from occgrid_mutants.port_tests import port_tests
+from occgrid_mutants.readings import Readings
 from occgrid_mutants.sites import Site, sites
-from occgrid_mutants.trials import Modules, Trial, scenario_trials, unit_trials
+from occgrid_mutants.trials import (
+    Modules,
+    Trial,
+    scenario_files,
+    scenario_trials,
+    unit_trials,
+)
 from occgrid_mutants.watching import (
     Measured,
     TooLong,
@@ -27,8 +37,12 @@ from occgrid_mutants.watching import (
 
 # A child that has not answered after so long is ended: what holds it does not let the time limit in.
 LONGEST = 900.0
+# Maps that take no longer than this in all are tried before the functions are asked again: most changes end there.
+FIRST_SECONDS = 0.1
+# How long it may take to ask the functions again, or to read every scenario.
+ASKING_SECONDS = 15.0
 # How the names of unit trials begin.
-UNITS = ("vectors", "bad input", "lesson numbers")
+UNITS = ("vectors", "bad input", "lesson numbers", "unit tests")
 
 
 @dataclass(frozen=True)
@@ -72,34 +86,20 @@ class Campaign:
             for site in sites(name, tree)
         ]
         start = time.monotonic()
+        self.calls = Calls()
         with port_modules.loaded(self.code) as modules:
-            self.pi = modules[MODULE].pi
-            self.calls = Calls()
-            units = unit_trials(root)
-            with self.calls.recorded(modules[MODULE]):
-                self.scenarios = [
-                    measure(trial, modules) for trial in scenario_trials(root)
-                ]
-                inputs = [
-                    measure(trial, modules)
-                    for trial in units
-                    if not _asks_functions(trial)
-                ]
-            self.units = [
-                *(
-                    measure(trial, modules)
-                    for trial in units
-                    if _asks_functions(trial)
-                ),
-                *inputs,
+            self.scenarios = [
+                self._measured(trial, modules)
+                for trial in scenario_trials(root)
             ]
-            replaying = time.process_time()
-            if not self.calls.alike(modules[MODULE]):
-                raise ValueError(f"{MODULE} does not answer twice alike")
-            self.replay_seconds = time.process_time() - replaying
+            self.units = [
+                self._measured(trial, modules) for trial in unit_trials(root)
+            ]
+            self.readings = Readings(scenario_files(root), modules)
+        self.tests = port_tests(root)
         say(
-            f"{len(self.sites)} changes; {len(self.scenarios)} maps and {len(self.units)} unit trials, "
-            f"measured in {time.monotonic() - start:.0f} s"
+            f"{len(self.sites)} changes; {len(self.scenarios)} maps, which ask {len(self.calls)} questions of the "
+            f"functions, and {len(self.units)} unit trials, measured in {time.monotonic() - start:.0f} s"
         )
         self.kills: dict[str, Counter[str]] = {}
 
@@ -114,6 +114,7 @@ class Campaign:
         waiting = iter(chosen)
         running: dict[int, tuple[Site, int, float]] = {}
         more = True
+        gc.freeze()  # what is shared with the children stays shared
         while more or running:
             while more and len(running) < jobs:
                 site = next(waiting, None)
@@ -133,13 +134,16 @@ class Campaign:
                 if ended:
                     del running[pid]
                     result = self._read(site, pipe)
-                    if result.seen_by:
-                        place = f"{site.module}.{site.function}"
-                        self.kills.setdefault(place, Counter())[
-                            result.seen_by
-                        ] += 1
+                    self.learn(result)
                     done(result)
             time.sleep(0.005)
+        gc.unfreeze()
+
+    def learn(self, result: Result) -> None:
+        """What has seen a change in a function is tried first on the next one there."""
+        if result.seen_by:
+            place = f"{result.site.module}.{result.site.function}"
+            self.kills.setdefault(place, Counter())[result.seen_by] += 1
 
     def trials(self, site: Site) -> tuple[list[Measured], list[Measured]]:
         """The scenarios and the unit trials that run the line of a change, the most promising first."""
@@ -148,12 +152,25 @@ class Campaign:
         found = self.kills.get(f"{site.module}.{site.function}", Counter())
 
         def meant(trials: Sequence[Measured]) -> list[Measured]:
-            chosen = [t for t in trials if site.at_import or t.lines & lines]
+            chosen = [
+                t
+                for t in trials
+                if site.at_import or not lines.isdisjoint(t.lines)
+            ]
             return sorted(
                 chosen, key=lambda t: (-found[t.trial.name], t.seconds)
             )
 
         return meant(self.scenarios), meant(self.units)
+
+    def _measured(self, trial: Trial, modules: Modules) -> Measured:
+        direct = _asks_functions(trial)
+        with (
+            nullcontext()
+            if direct
+            else self.calls.recorded(modules, trial.name)
+        ):
+            return measure(trial, modules)
 
     def _start(self, site: Site) -> tuple[int, int]:
         scenarios, units = self.trials(site)
@@ -195,25 +212,51 @@ class Campaign:
             return "scenarios: the import", "does not end"
         except Exception as error:
             return "scenarios: the import", type(error).__name__
-        if site.module == MODULE and self._answers_alike(modules):
-            scenarios = []
-            units = [u for u in units if _asks_functions(u.trial)]
-        for measured in [*scenarios, *units]:
+        if site.module == "fast":
+            scenarios = [_from_scans(t) for t in scenarios]
+        first = _within(scenarios, FIRST_SECONDS)
+        for measured in first:
+            how = failure(measured, modules)
+            if how is not None:
+                return measured.trial.name, how
+        rest = [*scenarios[len(first) :], *units]
+        if rest:
+            rest = self._that_may_differ(rest, site, modules)
+        tests = Measured(self.tests[site.module], frozenset(), 10.0)
+        for measured in [*rest, tests]:
             how = failure(measured, modules)
             if how is not None:
                 return measured.trial.name, how
         return "", ""
 
-    def _answers_alike(self, modules: Modules) -> bool:
-        """Whether no scenario and no bad input can see a change of portable_math."""
-        module = modules[MODULE]
-        if module.pi != self.pi:
-            return False
+    def _that_may_differ(
+        self, trials: Sequence[Measured], site: Site, modules: Modules
+    ) -> list[Measured]:
+        """These trials without those to which the changed port gives the same answers as the port as it is."""
         try:
-            with time_limit(2.0 + 10.0 * self.replay_seconds):
-                return self.calls.alike(module)
-        except (TooLong, Exception):
-            return False
+            with time_limit(ASKING_SECONDS):
+                if readings.tells(site):
+                    read = self.readings.differing(modules)
+                    return [
+                        t
+                        for t in trials
+                        if not t.trial.scenario or t.trial.scenario in read
+                    ]
+                asking = self.calls.differing(
+                    site,
+                    self.trees[site.module],
+                    {t.trial.name for t in trials},
+                    modules,
+                )
+        except TooLong:
+            asking = None
+        return [
+            t
+            for t in trials
+            if asking is None
+            or _asks_functions(t.trial)
+            or t.trial.name in asking
+        ]
 
     def _read(self, site: Site, pipe: int) -> Result:
         with os.fdopen(pipe, "rb") as stream:
@@ -223,3 +266,21 @@ class Campaign:
             return Result(site, "scenarios", "ends the program", reached)
         seen_by, how = json.loads(text)
         return Result(site, seen_by, how, reached)
+
+
+def _from_scans(measured: Measured) -> Measured:
+    trial = measured.trial
+    return replace(
+        measured, trial=replace(trial, right=trial.from_scans or trial.right)
+    )
+
+
+def _within(trials: Sequence[Measured], seconds: float) -> list[Measured]:
+    """The first trials, as many as take so long in all, but at least one."""
+    chosen = list(trials[:1])
+    for trial in trials[1:]:
+        seconds -= trial.seconds
+        if seconds < 0.0:
+            break
+        chosen.append(trial)
+    return chosen

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from occgrid_mutants.campaign import UNITS, Result
+from occgrid_mutants.sites import Site
 
 
 def summary(results: Sequence[Result], of: int, seconds: float) -> list[str]:
@@ -32,19 +34,31 @@ def summary(results: Sequence[Result], of: int, seconds: float) -> list[str]:
     return lines
 
 
-def write(
-    folder: Path, results: Sequence[Result], of: int, seconds: float
-) -> None:
-    """``report.md`` with those that are seen by nothing, ``results.json`` with all."""
+@dataclass(frozen=True)
+class Run:
+    """A run of changes: of which sources, how many are chosen, how long it has taken."""
+
+    sources: str  # their fingerprint
+    of: int
+    seconds: float
+
+
+def write(folder: Path, results: Mapping[int, Result], run: Run) -> None:
+    """``report.md`` with those that no scenario sees, ``results.json`` with all.
+
+    ``results`` stand under the numbers of the changes, among all that there are.
+    """
     folder.mkdir(parents=True, exist_ok=True)
     ordered = sorted(
-        results, key=lambda r: (r.site.module, r.site.line, r.site.name)
+        results.items(),
+        key=lambda item: (item[1].site.module, item[1].site.line, item[0]),
     )
     lines = ["# Changes of the Python port", ""]
-    lines += [f"- {line}" for line in summary(results, of, seconds)]
+    found = summary(list(results.values()), run.of, run.seconds)
+    lines += [f"- {line}" for line in found]
     for group in ("nothing", *UNITS):
         lines += ["", f"## Seen by {group}", ""]
-        for result in ordered:
+        for _, result in ordered:
             if result.group == group:
                 site = result.site
                 where = f"{site.module}.py:{site.line} {site.function}"
@@ -52,9 +66,10 @@ def write(
                 lines.append(
                     f"- {where}: `{site.before}` -> `{site.after}`{why}"
                 )
-    (folder / "report.md").write_text("\n".join(lines) + "\n", "utf-8")
+    _replace(folder / "report.md", "\n".join(lines) + "\n")
     records = [
         {
+            "number": number,
             "module": r.site.module,
             "line": r.site.line,
             "function": r.site.function,
@@ -65,8 +80,32 @@ def write(
             "how": r.how,
             "reached": r.reached,
         }
-        for r in ordered
+        for number, r in ordered
     ]
-    (folder / "results.json").write_text(
-        json.dumps(records, indent=1) + "\n", "utf-8"
-    )
+    text = json.dumps({**asdict(run), "changes": records}, indent=1)
+    _replace(folder / "results.json", text + "\n")
+
+
+def read(
+    folder: Path, sites: Sequence[Site], sources: str
+) -> tuple[dict[int, Result], float]:
+    """What an interrupted run of the same sources has found, and how long that took. ValueError where there is none."""
+    file = folder / "results.json"
+    if not file.exists():
+        raise ValueError(f"{file}: there is no run to take up")
+    run = json.loads(file.read_text("utf-8"))
+    if run["sources"] != sources:
+        raise ValueError(f"{file}: the sources have changed since that run")
+    results = {
+        r["number"]: Result(
+            sites[r["number"]], r["seen_by"], r["how"], r["reached"]
+        )
+        for r in run["changes"]
+    }
+    return results, run["seconds"]
+
+
+def _replace(file: Path, text: str) -> None:
+    new = file.with_name(f"{file.name}.new")
+    new.write_text(text, "utf-8")
+    new.replace(file)

@@ -451,6 +451,7 @@ def test_reading_that_fails_later() -> None:
         ("..", "."),
         ("", ""),
         ("a b\n.log", "a b\n"),
+        ("seed-0.log", "seed-0"),
     ],
 )
 def test_scenario_name(file: str, name: str) -> None:

@@ -7,15 +7,14 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import numpy as np
 import pytest
 
 from occgrid_mutants import port_modules
-from occgrid_mutants.calls import Calls
 from occgrid_mutants.campaign import Campaign, Result
-from occgrid_mutants.report import summary, write
+from occgrid_mutants.port_tests import port_tests
+from occgrid_mutants.report import Run, read, summary, write
 from occgrid_mutants.sites import sites
-from occgrid_mutants.trials import Trial
+from occgrid_mutants.trials import Trial, scenario_trials
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -33,6 +32,12 @@ def campaign(monkeypatch: pytest.MonkeyPatch) -> Campaign:
     )
     monkeypatch.setattr(
         "occgrid_mutants.campaign.unit_trials", lambda root: []
+    )
+    monkeypatch.setattr(
+        "occgrid_mutants.campaign.port_tests",
+        lambda root: dict.fromkeys(
+            port_modules.CHANGED, Trial("nothing", lambda modules: True)
+        ),
     )
     return Campaign(ROOT, lambda text: None)
 
@@ -55,11 +60,19 @@ def test_what_is_seen_and_what_is_not(
     }
     reached = {r.site.function: r.reached for r in results}
     assert reached == {"logit": True, "OccupancyGrid.update_cell": False}
-    write(tmp_path, results, 9, 60.0)
+    numbers = {id(s): n for n, s in enumerate(campaign.sites)}
+    found = {numbers[id(r.site)]: r for r in results}
+    write(tmp_path, found, Run("these sources", 9, 60.0))
     text = (tmp_path / "report.md").read_text("utf-8")
     assert "a sample of 3 of 9, 1 minutes" in text
     assert "`self.in_bounds(gx, gy)` -> `False`" in text
     assert "seen by scenarios: 1 (33.3 %)" in summary(results, 9, 60.0)
+    # an interrupted run is taken up where it stopped
+    assert read(tmp_path, campaign.sites, "these sources") == (found, 60.0)
+    with pytest.raises(ValueError, match="the sources have changed"):
+        read(tmp_path, campaign.sites, "other sources")
+    with pytest.raises(ValueError, match="there is no run to take up"):
+        read(tmp_path / "elsewhere", campaign.sites, "these sources")
 
 
 def test_no_change_is_there_twice() -> None:
@@ -70,35 +83,40 @@ def test_no_change_is_there_twice() -> None:
             assert len(places) > len(set(places)) * 0.9
 
 
-def test_calls_are_asked_again(campaign: Campaign) -> None:
-    """A change that no call can tell is spared the scenarios; any other is not."""
-    calls = Calls()
-    with port_modules.loaded(campaign.code) as modules:
-        module: Any = modules["portable_math"]
-        with calls.recorded(module):
-            module.log(np.array([0.25, 0.75]))
-            module.sin(0.5)
-        assert {name for name, _ in calls.seen} >= {"log", "sin"}
-        assert calls.alike(module)
-        right = module.sin
-        for wrong in (
-            lambda x: np.nextafter(right(x), 2.0),  # another bit
-            lambda x: np.array([float(right(x))]),  # another shape
-        ):
-            module.sin = wrong
-            assert not calls.alike(module)
-        module.sin = right
-        logarithm = module.log
+def test_a_map_is_left_where_it_first_differs() -> None:
+    """The plain program is stopped after the first scan whose map is another one."""
+    (trial,) = (
+        trial
+        for trial in scenario_trials(ROOT)
+        if trial.name == "octants, noise-free, plain"
+    )
+    with port_modules.loaded(port_modules.compiled(ROOT)) as modules:
+        assert trial.right(modules)
+        mapper: Any = modules["mapper"]
+        update = mapper.update_grid_from_scan
+        scans = []
 
-        def in_place(x: Any) -> Any:
-            answer = logarithm(x)
-            x += 1.0
-            return answer
+        def wrong_third(grid: Any, scan: Any, *rest: Any) -> None:
+            scans.append(scan)
+            update(grid, scan, *rest)
+            if len(scans) == 3:
+                grid.log_odds[0, 0] += 1e-9
 
-        def in_its_argument(x: Any) -> Any:
-            x[...] = logarithm(x)
-            return x
+        mapper.update_grid_from_scan = wrong_third
+        assert not trial.right(modules)
+        assert len(scans) == 3
+        assert mapper.update_grid_from_scan is wrong_third
 
-        for wrong_log in (in_place, in_its_argument):
-            module.log = wrong_log
-            assert not calls.alike(module)
+
+@pytest.mark.parametrize("module", ["noise", "sensor"])
+def test_the_ports_own_tests_look_at_a_changed_port(module: str) -> None:
+    trial = port_tests(ROOT)[module]
+    code = port_modules.compiled(ROOT)
+    with port_modules.loaded(code) as modules:
+        assert trial.right(modules)
+    tree = port_modules.parse(port_modules.sources(ROOT)[module])
+    change = sites(module, tree)[-1]
+    change.change()
+    code[module] = compile(tree, f"{module}.py", "exec")
+    with port_modules.loaded(code) as modules:
+        assert not trial.right(modules)

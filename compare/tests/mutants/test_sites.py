@@ -128,5 +128,5 @@ def broken(modules: object) -> bool:
 )
 def test_a_failure_is_told_apart(right: object, how: str | None) -> None:
     trial = Trial("a trial", right)  # type: ignore[arg-type]
-    measured = Measured(trial, frozenset(), -0.19)
+    measured = Measured(trial, frozenset(), -0.095)
     assert failure(measured, {}) == how
