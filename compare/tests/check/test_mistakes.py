@@ -81,7 +81,6 @@ def test_some_mistakes_are_caught_by_one_scenario_only(
         "noise-on-recorded-scans": "mixed",
         "simulated-scans-numbered-apart": "mixed",
         "no-return-ignore-unknown": "no-return-ignore",
-        "nan-is-no-return": "no-return-free",
         "prior-not-subtracted": "prior",
         "starts-at-zero": "prior",
         "noise-seed-ignored": "asymmetric",
