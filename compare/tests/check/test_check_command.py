@@ -58,7 +58,7 @@ def test_a_wrong_program_ends_with_1_and_can_be_seen_again(
     assert status == 1
     mistake = MISTAKES["prior-not-subtracted"]
     assert f"{mistake.title} [{mistake.name}]" in text
-    assert "it reproduces all 15 of your maps exactly" in text
+    assert "it reproduces all 17 of your maps exactly" in text
     command = next(
         line.strip()
         for line in text.splitlines()
