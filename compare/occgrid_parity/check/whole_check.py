@@ -105,7 +105,8 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
     difference = None
     if differing is not None:
         difference = explanation.first_difference(differing, strict=False)
-    if checks.other_lesson:  # that is the cause, and a map has one only
+    told = scans and not maps.runner.reads_scenarios
+    if told:  # that is the cause, and a map has one only
         return Conclusion("differs", summary, difference, seen=seen)
     cause: Cause | None = explanation.cause()
     assert cause is not None
@@ -139,7 +140,9 @@ def _scans_seen(maps: ProgramMaps) -> list[str]:
     said: dict[str, list[str]] = {}
     # one map alone can be that of fewer scans by chance
     for one in [*looked[:3], *looked[3:][-1:]]:
-        words = chosen_scans(one.observed, one.case, one.mode)
+        words = one.compared.left_out or chosen_scans(
+            one.observed, one.case, one.mode
+        )
         if not words:
             return []
         said.setdefault(words, []).append(one.case.name)

@@ -68,7 +68,7 @@ def compared_words(compared: Compared) -> str:
         if compared.together and 0 < rounded < wrong:
             told = f"rounding can explain {rounded} of them, but not the other {wrong - rounded}"
         if compared.left_out:
-            told = f"this is exactly the reference's map {compared.left_out} (counted from 0)"
+            told = f"this is exactly the reference's map {compared.left_out}"
         elif not compared.together:
             told = (
                 "some beams end on a cell edge, where rounding may choose either side, but we found no such choice "

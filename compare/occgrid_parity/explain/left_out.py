@@ -30,7 +30,12 @@ def left_out(nearest: NearestFormulas, beams: Beams) -> str:
 
 def _gaps(beams: Beams) -> Iterator[tuple[str, Mask]]:
     """What may be missing, and which beams that is."""
-    for scan in np.unique(beams.scan).tolist():
-        yield f"without scan {scan}", beams.scan == scan
+    scans = np.unique(beams.scan).tolist()
+    words = {
+        0: "without the first scan",
+        scans[-1]: f"after {len(scans) - 1} of {len(scans)} scans",
+    }
+    for scan in scans:
+        yield words.get(scan, f"without scan {scan}"), beams.scan == scan
     for beam in np.unique(beams.number).tolist():
         yield f"without beam {beam} of every scan", beams.number == beam

@@ -84,13 +84,15 @@ class RightEnds:
 
     def _poses_of_scans(self, f: Formulas) -> tuple[Array, ...]:
         """x, y, theta of each scan."""
+        poses = [Pose(*pose) for pose in self.poses.tolist()]
+        known = LESSON_POSES.keys() >= {*poses}
 
         def make() -> tuple[Array, ...]:
-            if not self.own_poses:
+            if not (self.own_poses and known):  # other poses have no formula
                 return tuple(self.poses.T)
             numbers = FUNCTIONS[f.functions]
             angle = HEADINGS[f.heading](np.arange(float(len(LESSON_POSES))))
-            t = [LESSON_POSES[Pose(*pose)] for pose in self.poses.tolist()]
+            t = [LESSON_POSES[pose] for pose in poses]
             x = -6.0 + 6.0 * numbers.cos(angle)
             y = 4.0 * numbers.sin(angle)
             return x[t], y[t], angle[t] + PI / 2.0

@@ -12,6 +12,7 @@ from occgrid.sensor import Scan
 from occgrid.world import Pose
 from occgrid_parity.check.wording import compared_words
 from occgrid_parity.explain.closeness import Compared, compare_with_reference
+from occgrid_parity.explain.other_lessons import other_lesson
 from occgrid_parity.model.arithmetic import PLATFORM
 from occgrid_parity.model.beam_ways import ways_of_ends
 from occgrid_parity.model.mapper_steps import Mapper
@@ -163,15 +164,40 @@ def without(program: type[Lesson], scan: int, beam: int) -> type[Lesson]:
     return Shorter
 
 
-@pytest.mark.parametrize("scan", [0, 10, 50, 105, 119])
-def test_no_rounding_explains_a_scan_that_is_left_out(scan: int) -> None:
+@pytest.mark.parametrize(
+    ("scan", "words"),
+    [
+        (0, "without the first scan"),
+        (10, "without scan 10"),
+        (50, "without scan 50"),
+        (105, "without scan 105"),
+        (119, "after 119 of 120 scans"),
+    ],
+)
+def test_no_rounding_explains_a_scan_that_is_left_out(
+    scan: int, words: str
+) -> None:
     """In scans 50 and 105, beams could be turned one by one so that the map is the same."""
     compared = compared_lesson(without(Lesson, scan, -1))
     assert compared.status == "differs"
-    assert compared.left_out == f"without scan {scan}"
+    assert compared.left_out == words
     assert compared_words(compared).endswith(
-        f"this is exactly the reference's map without scan {scan} (counted from 0)"
+        f"this is exactly the reference's map {words}"
     )
+
+
+class OneMore(Lesson):
+    def angles(self) -> list[float]:
+        return [2.0 * math.pi * t / 120 for t in range(121)]
+
+
+def test_a_scan_too_many_is_compared_with_poses_that_are_not_the_lessons() -> (
+    None
+):
+    """Where a program's poses are others, no formula for them is known, and none is looked for."""
+    drawn = OneMore(world_of(built_in()), None, PLATFORM).draw()
+    observed = Observed(drawn.pixels.astype(np.uint16), None, "")
+    assert "121 scans" in other_lesson(observed, NOISE_FREE)
 
 
 @pytest.mark.parametrize("beam", [0, 90, 180])
