@@ -29,7 +29,16 @@ from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import Case, built_in, case
 from occgrid_parity.suite.modes import NOISE_FREE
 
-NAMES = ("built-in lesson", "lesson", "formats", "asymmetric", "mixed")
+NAMES = (
+    "built-in lesson",
+    "lesson",
+    "formats",
+    "asymmetric",
+    "mixed",
+    "tips",
+    "slanting",
+    "wall-ends",
+)
 
 
 def ends_of(name: str, seed: int | None) -> tuple[RightEnds, Beams]:
