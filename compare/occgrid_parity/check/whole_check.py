@@ -140,8 +140,10 @@ def _scans_seen(maps: ProgramMaps) -> list[str]:
     said: dict[str, list[str]] = {}
     # one map alone can be that of fewer scans by chance
     for one in [*looked[:3], *looked[3:][-1:]]:
-        words = one.compared.left_out or chosen_scans(
-            one.observed, one.case, one.mode
+        compared = one.compared
+        # where each cell alone could be rounding, a single scan has been looked for
+        words = compared.left_out or chosen_scans(
+            one.observed, one.case, one.mode, one_missing=compared.together
         )
         if not words:
             return []

@@ -223,12 +223,10 @@ class _Search:
             self.world, self.mode.seed, self.beams, self.own_poses
         )
         nearest = NearestFormulas(ends, ways, self.fits, touched)
-        if nearest.open.size > MOST_OPEN:
-            return []
         chosen = nearest.chosen
         if nearest.open.size:
             search = SideSearch(ways, chosen, nearest.open, self.distance())
-            found = search.solve()
+            found = nearest.open.size <= MOST_OPEN and search.solve()
             # one beam that is turned is as simple as a scan that is missing
             if not found or len(search.turned) > 1:
                 self.left_out = left_out(nearest, self.beams)

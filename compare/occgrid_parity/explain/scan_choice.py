@@ -24,10 +24,13 @@ LEAST_SCANS = 3
 NEAREST = 2  # of those that come nearer, how many are compared cell by cell
 
 
-def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
+def chosen_scans(
+    observed: Observed, case: Case, mode: Mode, one_missing: bool = True
+) -> str:
     """Which scans the map shows, in words that follow "exactly the reference's"; empty where it is no such map.
 
-    A seed's noise goes by the number of the scan, so there only the first scans are looked at.
+    A seed's noise goes by the number of the scan, so there only the first scans are looked at. ``one_missing`` is False
+    where it is known that more than one scan must be missing.
     """
     shortener = Shortener(case)
     count = len(shortener.scan_lines)
@@ -39,6 +42,12 @@ def chosen_scans(observed: Observed, case: Case, mode: Mode) -> str:
         every = list(range(count))
         tried += [
             (shortener.some(scans), words) for scans, words in _choices(every)
+        ]
+    if not one_missing:
+        tried = [
+            (shorter, words)
+            for shorter, words in tried
+            if len(world_of(shorter).scans) != count - 1
         ]
     whole = reference_map(case, mode)
     most = _wrong(observed, whole)
