@@ -48,7 +48,9 @@ LAST_BITS = (
     1e-9  # other steps are looked for only where some value is off by less
 )
 MOST_CELLS = 4000  # that are looked at
-MOST_OPEN = 500  # cells with the nearest right formulas
+MOST_OPEN = (
+    500  # cells that rounding can leave, with the nearest right formulas
+)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ import numpy as np
 from occgrid.map_writer import pixel
 from occgrid.scenario import Scenario
 from occgrid_parity.explain.closeness import (
+    MOST_OPEN,
     Compared,
     compare_with_reference,
     differing,
@@ -51,11 +52,12 @@ def chosen_scans(
         ]
     whole = reference_map(case, mode)
     most = _wrong(observed, whole)
-    # a map that comes no nearer need not be looked at
+    # a map that comes no nearer, or not near enough for rounding, need not be looked at
+    limit = min(most, MOST_OPEN + 1)
     near = [
         (wrong, shorter, words)
         for shorter, words in tried
-        if (wrong := _wrong(observed, reference_map(shorter, mode))) < most
+        if (wrong := _wrong(observed, reference_map(shorter, mode))) < limit
     ]
     for _, shorter, words in sorted(near, key=lambda one: one[0])[:NEAREST]:
         compared = compare_with_reference(
