@@ -120,7 +120,7 @@ class LevelChecks:
                 self._add(FILE, "passed")
                 return
             self.no_picture = True
-            message = f"your file is wrong; of your mapping this says nothing: {failed.message}"
+            message = f"your file is wrong, which says nothing about your mapping: {failed.message}"
             self._add(FILE, "failed", failed.word, message)
             return
         self._add(RUNS, "passed")

@@ -101,21 +101,21 @@ def _difference(d: FirstDifference) -> list[str]:
 
 
 def place_text(d: FirstDifference) -> str:
-    """``scan 2, beam 4, cell gx=15 gy=12``."""
-    scan = "scan ?" if d.scan is None else f"scan {d.scan}"
-    beam = "beam ?" if d.beam is None else f"beam {d.beam}"
-    return f"{scan}, {beam}, cell gx={d.gx} gy={d.gy}"
+    """``scan 2, beam 4, cell gx=15 gy=12``, without what is not known."""
+    scan = [] if d.scan is None else [f"scan {d.scan}"]
+    beam = [] if d.beam is None else [f"beam {d.beam}"]
+    return ", ".join([*scan, *beam, f"cell gx={d.gx} gy={d.gy}"])
 
 
 def how_text(d: FirstDifference) -> str:
     """How the place was found."""
     if d.how == "runs":
         return f"found in {plural(d.runs, 'run')}"
-    return "told by the finished map"
+    return "worked out from the finished map"
 
 
 def beam_lines(d: FirstDifference) -> list[str]:
-    """The beam: where it ends, the cells around the difference, and what could not be told."""
+    """The beam: where it ends, the cells around the difference, and what is not certain."""
     lines = []
     if d.candidates:
         named = ", ".join(map(str, d.candidates[:20]))
@@ -142,7 +142,7 @@ def beam_lines(d: FirstDifference) -> list[str]:
             "o free, # occupied, R the robot's cell, [ ] wrong; gy on the left, gx below"
         )
     for said in d.undetermined:
-        lines += _wrap(f"not told: {said}", "")
+        lines += _wrap(f"not certain: {said}", "")
     return lines
 
 

@@ -1,4 +1,4 @@
-"""Where a map first differs, found by running the program on shorter scenarios, or told by the map alone."""
+"""Where a map first differs, found by running the program on shorter scenarios, or worked out from the map alone."""
 
 from __future__ import annotations
 
