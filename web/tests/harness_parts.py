@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from occgrid_parity.explain.closeness import compare_with_reference
+from occgrid_parity.check.wording import compared_words
+from occgrid_parity.explain.closeness import Compared, compare_with_reference
 from occgrid_parity.mistakes import reading_mistakes
 from occgrid_parity.mistakes.catalogue import MISTAKES
 from occgrid_parity.model import arithmetic
 from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.programs.observed_map import Observed
-from occgrid_parity.suite.cases import case
+from occgrid_parity.suite.cases import LESSON, built_in, case
 from occgrid_parity.suite.modes import Mode
 
 __all__ = [
@@ -24,6 +25,7 @@ __all__ = [
     "World",
     "arithmetic",
     "full_check",
+    "full_words",
     "misread_world",
     "seed_of",
     "with_mistakes",
@@ -71,6 +73,21 @@ def with_mistakes(*names: str) -> type[Mapper]:
 
 
 def full_check(name: str, pixels: Pixels, seed: int | None = None) -> str:
-    """What the full check says of a picture: identical, halves, edges or differs."""
+    """What the full check says of a picture: identical, halves, edges or differs.
+
+    The lesson's is taken for that of a program that has the lesson built in, as the page takes it.
+    """
+    return str(compared(name, pixels, seed).status)
+
+
+def full_words(name: str, pixels: Pixels) -> str:
+    """The full check's sentence on a picture without noise."""
+    return compared_words(compared(name, pixels, None))
+
+
+def compared(name: str, pixels: Pixels, seed: int | None) -> Compared:
+    """The full check's comparison."""
     observed = Observed(pixels.astype(np.uint16), None, "")
-    return str(compare_with_reference(observed, case(name), Mode(seed)).status)
+    one = built_in() if name == LESSON else case(name)
+    own_poses = not one.is_file
+    return compare_with_reference(observed, one, Mode(seed), own_poses)

@@ -5,23 +5,14 @@ import { test } from "node:test";
 import { Run } from "../pages/model/run.js";
 import {
   mapScenario,
-  readScenario,
   Scenario,
   Segment,
   Settings,
   simulatedScans,
 } from "../src/index.js";
-import { fileSource } from "../src/node/fileSource.js";
+import { worldOf } from "./pageModel.mjs";
 
 /** @typedef {import("../pages/model/mistakenMapper.js").World} World */
-
-/** @param {string} name @returns {World} */
-function worldOf(name) {
-  const path = new URL(`../../scenarios/${name}.log`, import.meta.url);
-  const scenario = readScenario(fileSource(path.pathname));
-  const scans = Array.from(scenario.scans());
-  return { settings: scenario.settings, walls: scenario.walls, scans };
-}
 
 /** @param {Run} run */
 function check({ world, seed, timeline, scans }) {

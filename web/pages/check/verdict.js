@@ -13,7 +13,7 @@ import {
   symmetriesOf,
   tryMistakes,
 } from "../model/compareMaps.js";
-import { explainByRounding } from "../model/sides.js";
+import { explainByRounding } from "../model/explainByRounding.js";
 import { saying } from "../model/steps.js";
 import { counted, plural } from "../shared/words.js";
 
@@ -41,9 +41,10 @@ import { counted, plural } from "../shared/words.js";
  * @param {Found} found
  * @param {World} world
  * @param {number | null} seed
+ * @param {boolean} ownPoses the program may compute the lesson's poses itself; then the world is the lesson
  * @returns {Generator<Step, Verdict>}
  */
-export function* judge(found, world, seed) {
+export function* judge(found, world, seed, ownPoses) {
   yield { doing: "Drawing the right map", part: null };
   const reference = referenceOf(world, seed);
   const what = "picture" in found ? "picture" : "log-odds";
@@ -91,10 +92,10 @@ export function* judge(found, world, seed) {
     "picture" in found
       ? yield* saying(
           { doing: "Looking at beams that rounding decides", part: null },
-          explainByRounding(world, seed, fromBelow(found.picture)),
+          explainByRounding(world, seed, fromBelow(found.picture), ownPoses),
         )
       : null;
-  if (explained !== null) {
+  if (explained?.kind === "halves" || explained?.kind === "edges") {
     return { ...base, ...rounding(explained, wrong.length) };
   }
   const words = [
@@ -116,7 +117,14 @@ export function* judge(found, world, seed) {
     words.push(
       `It is exactly the right map after ${plural(prefix, "scan")} of ${reference.scans}: ${reference.scans - prefix === 1 ? "the last scan is missing" : `the last ${reference.scans - prefix} scans are missing`}.`,
     );
+  } else if (explained?.gap) {
+    words.push(...missing(explained.gap, explained.formulas));
   } else {
+    if (explained?.kind === "no choice") {
+      words.push(
+        "Some beams end on a cell's edge, where rounding may choose either side, but this page found no such choice that gives all of your cells.",
+      );
+    }
     words.push(...trouble(wrong, reference));
   }
   const known = verdict("differs", words, base);
@@ -135,10 +143,26 @@ function verdict(status, words, base) {
   return { ...base, status, tone: "bad", words };
 }
 
-/** @typedef {import("../model/sides.js").Explained} Explained */
+/** @typedef {import("../model/explainByRounding.js").Explanation} Explanation */
 
-/** @param {Explained} explained @param {number} count */
-function rounding({ kind, turned, halves }, count) {
+/** What the picture leaves out. @param {import("../model/leftOut.js").Gap} gap @param {string[]} formulas not the contract's */
+function missing({ what, number }, formulas) {
+  const words = [
+    `It is exactly the right map without ${what} ${number + 1}${what === "beam" ? " of every scan" : ""} (${what} ${number} if the first is 0).`,
+  ];
+  if (formulas.length > 0) {
+    words.push(`Your program draws it ${asRight(formulas)}.`);
+  }
+  return words;
+}
+
+/** @param {string[]} formulas */
+function asRight(formulas) {
+  return `with formulas that are as right as the contract's (${formulas.join("; ")})`;
+}
+
+/** @param {Explanation} explained @param {number} count */
+function rounding({ kind, turned, halves, formulas }, count) {
   if (kind === "halves") {
     return {
       status: /** @type {const} */ ("halves"),
@@ -159,7 +183,10 @@ function rounding({ kind, turned, halves }, count) {
     words: [
       `differs in ${plural(count, "cell")}, only at cell edges`,
       `${plural(turned.length, "beam ends", "beams end")} so close to a cell's edge that the last bits of a sine decide the cell. Put on the other side, they draw exactly your picture: ${named.join("; ")}${more > 0 ? `; and ${more} more` : ""}.${halves ? ` In ${plural(halves, "cell")} the last bit of exp or log decides the level.` : ""}`,
-      "Your program may be right. It is equal to the others in every bit only with the contract's own sine and cosine.",
+      ...(formulas.length > 0
+        ? [`The right program draws your picture ${asRight(formulas)}.`]
+        : []),
+      "Your program may be right. It is equal to the others in every bit only with the contract's own formulas, sine and cosine.",
     ],
   };
 }

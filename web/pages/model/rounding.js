@@ -14,6 +14,7 @@ import { beamAngles, Scan } from "../../src/sensor.js";
 /** @typedef {{gx0: number, gy0: number, gx1: number, gy1: number, hit: boolean, used: boolean}} Way */
 /** @typedef {{scan: number, beam: number, ways: Way[]}} Beam the contract's way comes first */
 /** @typedef {{z: number, error: number}} Range metres, and the bound on its error */
+/** @typedef {{turn: number, offset: number, ahead: boolean}} Errors the bounds on those of a beam's direction, radians, and of its start, metres; whether every program gives it the direction (1, 0) */
 
 const U = 2 ** -52;
 const MARGIN = 1e-12;
@@ -24,20 +25,40 @@ const MARGIN = 1e-12;
  * @param {World} world
  * @param {number} number of the scan, from 0
  * @param {number | null} seed
+ * @param {boolean} ownPoses the program computes the lesson's poses itself, so that they have errors, too
  * @returns {Beam[]}
  */
-export function beamsOfScan({ settings, walls, scans }, number, seed) {
+export function beamsOfScan(
+  { settings, walls, scans },
+  number,
+  seed,
+  ownPoses,
+) {
   const s = settings;
   const scan = scans[number];
   const recorded = scan instanceof Scan;
   const pose = recorded ? scan.pose : scan;
   const angles = recorded ? scan.angles : beamAngles(s.fov, s.beams);
-  const gx0 = Math.floor((pose.x - s.originX) / s.resolution);
-  const gy0 = Math.floor((pose.y - s.originY) / s.resolution);
+  // the lesson's first pose is exact: cos(0) is 1, and sin(0) is 0
+  const offset =
+    ownPoses && number > 0
+      ? 8 * U * (Math.abs(pose.x) + Math.abs(pose.y)) + 4 * U * s.maxRange
+      : 0;
+  const starts = pairs(
+    span(pose.x, offset, s.originX, s.resolution),
+    span(pose.y, offset, s.originY, s.resolution),
+  );
+  const [[gx0, gy0]] = starts;
+  // with 3, 5, 9, 17, ... beams, every formula of the bearings makes the middle one exactly 0
+  const intervals = angles.length - 1;
+  const halved = intervals > 0 && Number.isInteger(Math.log2(intervals));
+  const exact = pose.theta === 0 && offset === 0;
   return Array.from(angles, (angle, beam) => {
     const swing =
       Math.abs(angle) + Math.abs(pose.theta) + (recorded ? 0 : s.fov);
     const turn = 8 * U * swing;
+    const ahead = halved && exact && angle === 0;
+    const errors = { turn, offset, ahead };
     const a = pose.theta + angle;
     const [c, d] = [cos(a), sin(a)];
     /** @type {Range[]} */
@@ -45,7 +66,7 @@ export function beamsOfScan({ settings, walls, scans }, number, seed) {
     if (recorded) {
       ranges = [{ z: scan.ranges[beam], error: 0 }];
     } else {
-      ranges = castWays(pose, c, d, walls, turn, s.maxRange);
+      ranges = castWays(pose, [c, d], walls, errors, s.maxRange);
       if (seed !== null) {
         const noise = s.noiseStd * normalDeviate(seed, number, beam);
         ranges = ranges.map(({ z, error }) => {
@@ -59,7 +80,9 @@ export function beamsOfScan({ settings, walls, scans }, number, seed) {
     const ways = [];
     const seen = new Set();
     const add = (/** @type {Way} */ way) => {
-      const key = way.used ? `${way.gx1} ${way.gy1} ${way.hit}` : "ignored";
+      const key = way.used
+        ? `${way.gx0} ${way.gy0} ${way.gx1} ${way.gy1} ${way.hit}`
+        : "ignored";
       if (seen.has(key)) return;
       seen.add(key);
       ways.push(way);
@@ -81,15 +104,18 @@ export function beamsOfScan({ settings, walls, scans }, number, seed) {
         const ex = pose.x + length * c;
         const ey = pose.y + length * d;
         const blur =
-          length === 0
+          length === 0 && offset === 0
             ? 0
             : (hit ? error : 0) +
+              offset +
               length * (turn + 2 * U) +
               4 * U * (Math.abs(pose.x) + Math.abs(pose.y) + length);
         const columns = span(ex, blur, s.originX, s.resolution);
         const rows = span(ey, blur, s.originY, s.resolution);
-        for (const gx1 of columns) {
-          for (const gy1 of rows) add({ gx0, gy0, gx1, gy1, hit, used: true });
+        for (const [gx0, gy0] of starts) {
+          for (const [gx1, gy1] of pairs(columns, rows)) {
+            add({ gx0, gy0, gx1, gy1, hit, used: true });
+          }
         }
       }
       if (i === 0 && ways.length === 0) {
@@ -98,6 +124,13 @@ export function beamsOfScan({ settings, walls, scans }, number, seed) {
     });
     return { scan: number, beam, ways };
   });
+}
+
+/** Each with each, the first with the first at first. @param {number[]} columns @param {number[]} rows @returns {[number, number][]} */
+function pairs(columns, rows) {
+  return columns.flatMap((gx) =>
+    rows.map((gy) => /** @type {[number, number]} */ ([gx, gy])),
+  );
 }
 
 /**
@@ -127,20 +160,19 @@ function span(value, error, origin, resolution) {
  * Simulated ranges of one beam: the contract's first, then others that it can have at a wall's tip or at the horizon.
  *
  * @param {Pose} pose
- * @param {number} rdx
- * @param {number} rdy
+ * @param {[number, number]} ray
  * @param {Segment[]} walls
- * @param {number} turn
+ * @param {Errors} errors
  * @param {number} zMax
  * @returns {Range[]}
  */
-function castWays(pose, rdx, rdy, walls, turn, zMax) {
+function castWays(pose, ray, walls, errors, zMax) {
   let best = { z: Infinity, error: 0 };
   let sure = { z: Infinity, error: 0 };
   /** @type {Range[]} */
   const doubtful = [];
   for (const wall of walls) {
-    const met = meet(pose, rdx, rdy, wall, turn);
+    const met = meet(pose, ray, wall, errors);
     if (met.meets && met.z < best.z) best = met;
     if (met.surely && met.z < sure.z) sure = met;
     if (met.possibly && !met.surely) doubtful.push(met);
@@ -162,12 +194,11 @@ function castWays(pose, rdx, rdy, walls, turn, zMax) {
 
 /**
  * @param {Pose} pose
- * @param {number} rdx
- * @param {number} rdy
+ * @param {[number, number]} ray
  * @param {Segment} wall
- * @param {number} turn
+ * @param {Errors} errors
  */
-function meet(pose, rdx, rdy, wall, turn) {
+function meet(pose, [rdx, rdy], wall, { turn, offset, ahead }) {
   const [sx, sy] = [wall.x1 - wall.x0, wall.y1 - wall.y0];
   const [qpx, qpy] = [wall.x0 - pose.x, wall.y0 - pose.y];
   const rxs = rdx * sy - rdy * sx;
@@ -176,18 +207,23 @@ function meet(pose, rdx, rdy, wall, turn) {
   const steep = Math.max(Math.abs(divisor), 1e-300);
   const across = qpx * sy - qpy * sx;
   const z = across / divisor;
-  const acrossError = 4 * U * (Math.abs(qpx * sy) + Math.abs(qpy * sx));
+  const acrossError =
+    4 * U * (Math.abs(qpx * sy) + Math.abs(qpy * sx)) +
+    offset * Math.hypot(sx, sy);
   const error =
     (acrossError + Math.abs(z) * rxsError) / steep + 2 * U * Math.abs(z);
   const u = (qpx * rdy - qpy * rdx) / divisor;
-  const alongError = Math.hypot(qpx, qpy) * (turn + 4 * U);
+  const alongError = Math.hypot(qpx, qpy) * (turn + 4 * U) + offset;
   const uError = (alongError + Math.abs(u) * rxsError) / steep + 2 * U;
   const meets = Math.abs(rxs) >= 1e-12 && z >= 0 && u >= 0 && u <= 1;
   const crossing = Math.abs(rxs) > 1e-12 + rxsError;
   const within = u - uError >= 0 && u + uError <= 1;
+  // a wall straight across, one end of which lies on the beam: u is exactly 0 or 1
+  const atTip = sx === 0 && (pose.y === wall.y0 || pose.y === wall.y1);
   const surely =
+    (ahead && atTip && meets && crossing && z - error >= 0) ||
     (crossing && z - error >= 0 && within) ||
-    (meets && across === 0 && crossing && within);
+    (meets && across === 0 && offset === 0 && crossing && within);
   const possibly =
     !(Math.abs(rxs) < 1e-12 - rxsError) &&
     z + error >= 0 &&
