@@ -92,6 +92,21 @@ class Ends(NamedTuple):
         return int(np.maximum(dx, dy).sum() + dx.size)
 
 
+def meeting(
+    x: float | Array, y: float | Array, rdx: Array, rdy: Array, wall: Segment
+) -> tuple[Array, Mask]:
+    """How far rays from points (metres) go to a wall's line, and which of them meet the wall (3.2)."""
+    sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
+    qpx, qpy = wall.x0 - x, wall.y0 - y
+    rxs = rdx * sy - rdy * sx
+    parallel = np.abs(rxs) < 1e-12
+    rxs = np.where(parallel, 1.0, rxs)
+    t = (qpx * sy - qpy * sx) / rxs
+    u = (qpx * rdy - qpy * rdx) / rxs
+    meets = ~parallel & (t >= 0.0) & (u >= 0.0) & (u <= 1.0)
+    return t, meets
+
+
 @functools.lru_cache(2048)
 def _cast(
     walls: tuple[Segment, ...],
@@ -105,14 +120,7 @@ def _cast(
     rdx, rdy = arithmetic.directions(np.frombuffer(beam), numbers)
     nearest = np.full(rdx.shape, np.inf)
     for wall in walls:
-        sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
-        qpx, qpy = wall.x0 - x, wall.y0 - y
-        rxs = rdx * sy - rdy * sx
-        parallel = np.abs(rxs) < 1e-12
-        rxs = np.where(parallel, 1.0, rxs)
-        t = (qpx * sy - qpy * sx) / rxs
-        u = (qpx * rdy - qpy * rdx) / rxs
-        meets = ~parallel & (t >= 0.0) & (u >= 0.0) & (u <= 1.0)
+        t, meets = meeting(x, y, rdx, rdy, wall)
         nearest = np.where(meets & (t < nearest), t, nearest)
     ranges = np.where(nearest <= z_max, nearest, z_max)
     ranges.setflags(write=False)

@@ -11,7 +11,7 @@ from occgrid.sensor import Scan, read_ranges
 from occgrid.world import Pose
 from occgrid_parity.model.arithmetic import normal_deviate
 from occgrid_parity.model.array_types import Array, Cells
-from occgrid_parity.model.mapper_steps import Ends
+from occgrid_parity.model.mapper_steps import Ends, meeting
 from occgrid_parity.model.right_formulas import (
     BEARINGS,
     CELLS,
@@ -171,19 +171,14 @@ class RightEnds:
             rdx, rdy = (x + longest * rdx) - x, (y + longest * rdy) - y
         nearest = np.full(rdx.shape, np.inf)
         for wall in self.world.walls:
-            sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
-            qpx, qpy = wall.x0 - x, wall.y0 - y
-            rxs = rdx * sy - rdy * sx
-            parallel = np.abs(rxs) < 1e-12
-            rxs = np.where(parallel, 1.0, rxs)
-            t = (qpx * sy - qpy * sx) / rxs
-            u = (qpx * rdy - qpy * rdx) / rxs
-            meets = ~parallel & (t >= 0.0) & (u >= 0.0) & (u <= 1.0)
+            t, meets = meeting(x, y, rdx, rdy, wall)
             if distance == "a share of the maximum range":
                 t = t * longest
-            elif distance == "along x or y" and 0.0 in (sx, sy):
-                to, rd = (qpx, rdx) if sx == 0.0 else (qpy, rdy)
-                t = to / np.where(meets, rd, 1.0)
+            elif distance == "along x or y":
+                if wall.x0 == wall.x1:
+                    t = (wall.x0 - x) / np.where(meets, rdx, 1.0)
+                elif wall.y0 == wall.y1:
+                    t = (wall.y0 - y) / np.where(meets, rdy, 1.0)
             nearest = np.where(meets & (t < nearest), t, nearest)
         return np.where(nearest <= longest, nearest, longest)
 
