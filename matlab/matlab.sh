@@ -24,14 +24,18 @@ literals() {
 }
 
 # Ends the command by a signal, and then this script. Octave can lose one that
-# comes while it starts, so the signal is sent until the command has ended.
+# comes while it starts, so the signal is sent until the command has ended. One
+# that it does not lose then makes it write a file octave-workspace: as long as
+# the file $OCCGRID_STARTING is there, Octave has written nothing and is killed.
 end_by() {
     trap '' HUP INT TERM
     child=${child:-$!}
+    [ -e "$OCCGRID_STARTING" ] && kill -s KILL $child
     (while kill -s "$1" $child; do sleep 2; done) > /dev/null 2>&1 &
     again=$!
     wait $child
     kill -s KILL $again
+    [ -z "$OCCGRID_STARTING" ] || rm -f "$OCCGRID_STARTING"
     trap - "$1"
     kill -s "$1" $$
 }
@@ -51,11 +55,14 @@ run() {
     "$@" <&3 3<&- &
     child=$!
     wait $child
-    exit $?
+    status=$?
+    [ -z "$OCCGRID_STARTING" ] || rm -f "$OCCGRID_STARTING"
+    exit $status
 }
 
 verb=$1
 shift
+OCCGRID_STARTING=
 case $verb in
     occgrid) octave=$here/occgrid_cli.m ;;
     probe) octave=$here/tests/run_probe.m ;;
@@ -72,6 +79,7 @@ if [ "$MATLAB" != octave ] && command -v matlab > /dev/null; then
     esac
     run matlab -batch "$paths $call"
 elif command -v octave-cli > /dev/null; then
+    OCCGRID_STARTING=$(mktemp) && export OCCGRID_STARTING
     run octave-cli --no-history --norc --quiet "$octave" "$@"
 fi
 echo "matlab.sh: neither matlab nor octave-cli is there" >&2

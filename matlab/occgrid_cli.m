@@ -4,10 +4,7 @@
 %
 % On MATLAB:  matlab -batch "exit(occgrid.main('--out', 'maps'))"
 
-% a signal is not to leave a file octave-workspace behind
-crash_dumps_octave_core(false);
-sighup_dumps_octave_core(false);
-sigterm_dumps_octave_core(false);
 addpath(fileparts(mfilename('fullpath')));
+octave_is_up();
 occgrid_arguments = argv();
 exit(occgrid.main(occgrid_arguments{:}));

@@ -27,6 +27,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "matlab": (
         "matlab/+occgrid/**/*.m",
         "matlab/occgrid_cli.m",
+        "matlab/octave_is_up.m",
         "matlab/matlab.sh",
     ),
     "mathematica": (

@@ -5,5 +5,6 @@
 % On MATLAB call probe(FUNCTION, INPUT, OUTPUT).
 addpath(fileparts(mfilename('fullpath')));
 addpath(fileparts(fileparts(mfilename('fullpath'))));
+octave_is_up();
 run_probe_arguments = argv();
 probe(run_probe_arguments{:});
