@@ -28,8 +28,6 @@ fi
 
 script=$1
 shift
-OCCGRID_FOLDER=$(mktemp -d "${TMPDIR:-/tmp}/occgrid-XXXXXXXXXX") || exit 1
-export OCCGRID_FOLDER
 
 clean() {
     rm -rf "$OCCGRID_FOLDER"
@@ -39,17 +37,23 @@ clean() {
 }
 
 # The engine is ended first, so that it writes no more; then this shell ends by
-# the same signal.
+# the same signal. ($! is empty until the engine has been started.)
 end_by() {
     trap '' INT TERM
-    kill -TERM "$child" 2> /dev/null
-    wait "$child" 2> /dev/null
+    kill -TERM "$!" 2> /dev/null
+    wait "$!" 2> /dev/null
     clean
     trap - "$1"
     kill -s "$1" $$
 }
 
 out=
+OCCGRID_FOLDER=
+trap 'end_by INT' INT
+trap 'end_by TERM' TERM
+OCCGRID_FOLDER=$(mktemp -d "${TMPDIR:-/tmp}/occgrid-XXXXXXXXXX") || exit 1
+export OCCGRID_FOLDER
+
 previous=
 for argument; do
     if [ "$previous" = --out ]; then
@@ -66,12 +70,8 @@ case $out in
 -*) out=./$out ;;
 esac
 
-child=
-trap 'end_by INT' INT
-trap 'end_by TERM' TERM
 "$engine" "$verb" "$script" &
-child=$!
-wait "$child"
+wait "$!"
 status=$?
 clean
 exit "$status"

@@ -194,7 +194,7 @@ def make_fake(
     name: str,
     body: str = WELL,
     extra: str = "",
-    timeout: float = 20,
+    timeout: float = 100,
 ) -> Port:
     """Declares a fake port whose program is FAKE and then ``body``."""
     folder = root / name
@@ -217,10 +217,10 @@ def make_fake(
 
 @pytest.fixture
 def fake(fake_root: Path) -> Callable[..., Port]:
-    """``fake(name, body, extra="", timeout=20)`` makes a fake port in fake_root."""
+    """``fake(name, body, extra="", timeout=100)`` makes a fake port in fake_root."""
 
     def make(
-        name: str, body: str = WELL, extra: str = "", timeout: float = 20
+        name: str, body: str = WELL, extra: str = "", timeout: float = 100
     ) -> Port:
         return make_fake(fake_root, name, body, extra, timeout)
 

@@ -31,10 +31,7 @@ def loopback_cluster(folder: Path) -> Iterator[tuple[str, list[Any]]]:
     }
     started = [subprocess.Popen(command, **quiet)]
     try:
-        deadline = time.monotonic() + 90
-        while not file.is_file() and time.monotonic() < deadline:
-            time.sleep(0.1)
-        address = json.loads(file.read_text())["address"]
+        address = written_address(file)
         for number in range(2):
             place = folder / f"worker-{number}"
             place.mkdir()
@@ -45,7 +42,7 @@ def loopback_cluster(folder: Path) -> Iterator[tuple[str, list[Any]]]:
             started.append(subprocess.Popen(command, cwd=place, **quiet))
         connect: Any = distributed.Client
         with connect(address, set_as_default=False) as client:
-            client.wait_for_workers(2, timeout=90)
+            client.wait_for_workers(2, timeout=300)
         yield address, started[1:]
     finally:
         for process in started:
@@ -53,10 +50,21 @@ def loopback_cluster(folder: Path) -> Iterator[tuple[str, list[Any]]]:
             process.wait()
 
 
+def written_address(file: Path) -> str:
+    """The scheduler's address, as soon as its file is written to the end."""
+    deadline = time.monotonic() + 300
+    while True:
+        try:
+            return str(json.loads(file.read_text())["address"])
+        except (FileNotFoundError, json.JSONDecodeError):
+            assert time.monotonic() < deadline, "the scheduler does not start"
+            time.sleep(0.1)
+
+
 def kill_at_work(worker: subprocess.Popen[bytes]) -> None:
     """Kills a worker as soon as a program runs in it."""
     victim = psutil.Process(worker.pid)
-    deadline = time.monotonic() + 90
+    deadline = time.monotonic() + 300
     while not victim.children(recursive=True):
         assert time.monotonic() < deadline
         time.sleep(0.05)

@@ -64,7 +64,7 @@ def check_end(
 ) -> None:
     """By the signal, as a shell says that (Java's virtual machine ends by itself), or with another status."""
     try:
-        status = process.wait(timeout=20)
+        status = process.wait(timeout=120)
     finally:
         # the interpreter, too, if the port's shell script has left it behind
         with contextlib.suppress(ProcessLookupError):

@@ -77,7 +77,7 @@ interrupted() {
     sh "$port/wolfram.sh" "$port/occgrid.wls" "$@" > /dev/null 2>&1 &
     pid=$!
     tries=0
-    while ! ls "$TMPDIR"/occgrid-*/arguments > /dev/null 2>&1 && [ $tries -lt 200 ]; do
+    while ! ls "$TMPDIR"/occgrid-*/arguments > /dev/null 2>&1 && [ $tries -lt 1200 ]; do
         sleep 0.05
         tries=$((tries + 1))
     done
@@ -97,6 +97,8 @@ port = sys.argv[1]
 run = subprocess.Popen(["sh", f"{port}/wolfram.sh", f"{port}/occgrid.wls", "--out", "s"],
     preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))
 while not any(name.startswith("occgrid-") for name in os.listdir(os.environ["TMPDIR"])):
+    if run.poll() is not None:
+        sys.exit("the run has ended")
     time.sleep(0.05)
 time.sleep(1)
 run.send_signal(signal.SIGINT)
@@ -104,10 +106,15 @@ sys.exit(-run.wait())
 PYTHON
 is "SIGINT: status" $? 2
 is "SIGINT: no file" "$(ls -A s; left)" ""
-# The temporary files are there already when the signal comes.
+# The temporary files are there already when the signal comes; the engine may
+# not be.
 sh "$port/wolfram.sh" "$port/occgrid.wls" --out s > /dev/null 2>&1 &
 pid=$!
-while ! ls "$TMPDIR"/occgrid-* > /dev/null 2>&1; do sleep 0.05; done
+tries=0
+while ! ls "$TMPDIR"/occgrid-* > /dev/null 2>&1 && [ $tries -lt 1200 ]; do
+    sleep 0.05
+    tries=$((tries + 1))
+done
 run=$(basename "$TMPDIR"/occgrid-*)
 touch "s/.$run-1.part" "s/.occgrid-other-1.part"
 kill -s TERM "$pid"

@@ -72,10 +72,10 @@ def test_results_inside_the_class_are_no_submission(tmp_path: Path) -> None:
     assert set(rows(tmp_path / "in")) == {"one"}
 
 
-def begun(folder: Path) -> subprocess.Popen[str]:
+def begun(folder: Path, *options: str) -> subprocess.Popen[str]:
     """A check of the class that goes on, one submission at a time."""
     return subprocess.Popen(
-        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1"],
+        [*COMMAND, *QUICK[:2], "--out", "out", "--jobs", "1", *options],
         cwd=folder,
         text=True,
         stdout=subprocess.PIPE,
@@ -87,13 +87,13 @@ def test_stopped_and_taken_up(tmp_path: Path, number: signal.Signals) -> None:
     submit(tmp_path, "a-right")
     mark = f"10{os.getpid()}"
     submit(tmp_path, "b-hangs", f'run = ["sh", "-c", "setsid sleep {mark}"]\n')
-    with begun(tmp_path) as run:
+    with begun(tmp_path, "--timeout", "600") as run:
         # on a busy machine the first submission alone takes a minute
         while not (asleep := sleeping(mark)) and run.poll() is None:
             time.sleep(0.05)
         assert asleep
         run.send_signal(number)
-        printed, _ = run.communicate(timeout=60)
+        printed, _ = run.communicate(timeout=300)
     assert run.returncode == 128 + number
     assert "stopped: 1 of 2 are checked and written to out" in printed
     assert "The same command again goes on from there." in printed
@@ -146,7 +146,7 @@ def test_a_build_that_sleeps_has_the_instructors_limit(tmp_path: Path) -> None:
     started = time.monotonic()
     ended = check(tmp_path, "--build-timeout", "2")
     assert ended.returncode == 1
-    assert time.monotonic() - started < 60
+    assert time.monotonic() - started < 250  # without the option: 300 s
     row = rows(tmp_path)["sleeper"]
     assert row["word"] == "does not build"
     assert "no end after 2 s" in row["summary"]
@@ -185,11 +185,11 @@ def test_others_are_checked_while_one_hangs(tmp_path: Path) -> None:
     submit(tmp_path, "a-hangs", 'run = ["sleep", "1000"]\n')
     for name in ("b", "c"):
         submit(tmp_path, name)
-    with begun(tmp_path) as run:
+    with begun(tmp_path, "--timeout", "600") as run:
         assert run.stdout is not None
         before = [next(run.stdout) for _ in range(4)]
         run.send_signal(signal.SIGTERM)
-        printed, _ = run.communicate(timeout=60)
+        printed, _ = run.communicate(timeout=300)
     assert any(line.startswith("[2/3") for line in before), before
     assert run.returncode == 128 + signal.SIGTERM
     assert "stopped: 2 of 3 are checked" in printed

@@ -75,7 +75,7 @@ def test_a_killed_worker_changes_nothing(
         stdout=subprocess.PIPE,
     )  # fmt: skip
     kill_at_work(workers[0])
-    printed, _ = run.communicate(timeout=240)
+    printed, _ = run.communicate(timeout=600)
     assert run.returncode == 1, printed
     assert "dashboard: " in printed
     check(tmp_path, "here")

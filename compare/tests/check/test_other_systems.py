@@ -24,7 +24,7 @@ def like_windows(*arguments: str) -> subprocess.CompletedProcess[str]:
         [sys.executable, str(LIKE_WINDOWS), *arguments],
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=600,
     )
 
 
@@ -68,7 +68,7 @@ def test_limits_that_the_system_does_not_set(
         cwd=tmp_path,
         folder=tmp_path / "run",
         watch=tmp_path / "out",
-        limits=Limits(10 if word != "hang" else 1, 4 * MEBI, 128 * MEBI, 8),
+        limits=Limits(100 if word != "hang" else 1, 4 * MEBI, 128 * MEBI, 8),
     )
     assert ended.word == word, ended.message
 

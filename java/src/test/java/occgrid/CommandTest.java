@@ -162,7 +162,6 @@ class CommandTest {
         while (temporary(out).isEmpty() && System.nanoTime() < end) {
             Thread.sleep(5);
         }
-        Thread.sleep(100);
         assertFalse(temporary(out).isEmpty(), "it writes");
         assertEquals(0, new ProcessBuilder("kill", "-" + signal,
                 "" + run.pid()).start().waitFor());
