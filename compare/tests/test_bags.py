@@ -399,6 +399,11 @@ def test_says_what_a_bag_lacks(tmp_path: Path) -> None:
     assert status == 1
     assert text.startswith(f"{damaged}: not a bag that can be read: ")
     assert text.count("\n") == 1
+    (tmp_path / "folder").mkdir()
+    assert convert(tmp_path / "folder") == (
+        1,
+        f"{tmp_path}/folder: a folder without metadata.yaml is no ROS 2 bag\n",
+    )
     missing = tmp_path / "gone.bag"
     status, text = convert(missing)
     assert status == 1

@@ -38,15 +38,16 @@ def verdict_word(verdict: Verdict) -> str:
     return MARKS.get(status, status)
 
 
-def verdict_text(verdict: Verdict) -> str:
-    """The whole verdict."""
+def verdict_text(verdict: Verdict, points: bool = True) -> str:
+    """The whole verdict; without ``points`` where rules of a class say what the levels are worth."""
     lines = [f"{verdict.program}: {verdict.summary}", ""]
     title_width = max(len(level.title) for level in verdict.levels)
     for level in verdict.levels:
         lines += _level(level, title_width)
     if any(level.status == "halves" for level in verdict.levels):
         lines.append(f"* {HALVES}")
-    lines.append(f"  {verdict.score} of {verdict.maximum} points")
+    if points:
+        lines.append(f"  {verdict.score} of {verdict.maximum} points")
     if verdict.observations:
         lines += ["", "What we see"]
         for said in verdict.observations:

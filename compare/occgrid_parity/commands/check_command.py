@@ -101,8 +101,8 @@ def check_command(
         subject.validate()
         modes = chosen_modes(mode or [])
         cases = chosen_cases(scenario or [], modes)
-        outputs.validate(class_folder)
         program = subject.program(timeout)
+        outputs.validate(class_folder)
         problem = golden_problem(LESSON, NOISE_FREE)
         about_starter = [] if port is None else starter_lines(port)
         request = CheckRequest(
@@ -119,7 +119,13 @@ def check_command(
                 roster,
                 scheduler,
             )
-    except (OSError, ValueError, ScenarioError, NoWall) as error:
+    except OSError as error:
+        said = f"{error.filename}: {error.strerror}"
+        print_plain(
+            Console(stderr=True), said if error.filename else str(error)
+        )
+        raise typer.Exit(2) from error
+    except (ValueError, ScenarioError, NoWall) as error:
         print_plain(Console(stderr=True), str(error))
         raise typer.Exit(2) from error
     if problem is not None:

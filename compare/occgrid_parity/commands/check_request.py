@@ -58,8 +58,12 @@ class Outputs:
     gradescope: Path | None = None
 
     def validate(self, class_folder: Path | None) -> None:
-        """Raises ValueError where a class is asked for what only one program has."""
+        """Makes the folder for one program's record.
+
+        Raises OSError where that fails, ValueError where a class is asked for what only one program has.
+        """
         if class_folder is None:
+            self.folder.mkdir(parents=True, exist_ok=True)
             return
         if self.json_file:
             raise ValueError("--json is for one program")
@@ -98,6 +102,11 @@ def chosen_modes(words: Sequence[str]) -> list[Mode]:
 
 def _case(word: str) -> Case:
     path = Path(word)
-    found = case_from(path) if path.is_file() else case(word)
+    try:
+        found = case_from(path) if path.is_file() else case(word)
+    except FileNotFoundError as error:
+        raise ValueError(
+            f"{word}: no file, and no scenario of the suite has this name"
+        ) from error
     world_of(found)
     return found

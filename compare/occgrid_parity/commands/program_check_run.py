@@ -51,7 +51,6 @@ def run_program_check(
 
 def write_records(verdict: Verdict, outputs: Outputs) -> None:
     """The record in its folder, and in the forms that were asked for; their modules are imported only then."""
-    outputs.folder.mkdir(parents=True, exist_ok=True)
     for file in (outputs.folder / VERDICT, outputs.json_file):
         if file is not None:
             write_text(file, to_json(verdict))

@@ -267,8 +267,8 @@ def handed_out(
     shown = for_student(verdict, [case.name for case in wanted.hidden])
     files = {
         "verdict.json": text.encode(),
-        "verdict.txt": verdict_text(verdict).encode(),
-        "feedback.txt": feedback_text(verdict, shown, wanted.rules).encode(),
+        "verdict.txt": marked_text(verdict, verdict, wanted.rules).encode(),
+        "feedback.txt": marked_text(verdict, shown, wanted.rules).encode(),
     }
     if wanted.gradescope:
         results = results_json(verdict, shown, wanted.rules)
@@ -314,7 +314,7 @@ def _missing(name: str) -> LevelStatus:
     return "not checked" if name == SEEDED[0] else "grey"
 
 
-def feedback_text(verdict: Verdict, shown: Verdict, rules: Rules) -> str:
-    """What a student gets to read: points and verdict."""
+def marked_text(verdict: Verdict, shown: Verdict, rules: Rules) -> str:
+    """The points by the rules, and of the verdict what is shown: for a student without what is hidden."""
     points, maximum = score(verdict, rules)
-    return f"{points:g} of {maximum:g} points\n\n{verdict_text(shown)}"
+    return f"{points:g} of {maximum:g} points\n\n{verdict_text(shown, points=False)}"

@@ -61,6 +61,10 @@ class Bag:
 @contextmanager
 def open_bag(path: Path) -> Iterator[Bag]:
     """Opens a bag. Raises ConversionError where it is none, or the library is not there."""
+    if path.is_dir() and not (path / "metadata.yaml").is_file():
+        raise ConversionError(
+            f"{path}: a folder without metadata.yaml is no ROS 2 bag"
+        )
     try:
         from rosbags.highlevel import AnyReader
         from rosbags.typesys import Stores, get_typestore

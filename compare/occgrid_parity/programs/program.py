@@ -24,6 +24,12 @@ from occgrid_parity.programs.command_words import (
 )
 from occgrid_parity.suite.modes import NOISE_FREE, Mode
 
+PLACEHOLDERS = (
+    *("scenario", "scenarios", "out", "pgm"),
+    *("mode", "seed", "port", "python"),
+)
+SHELL = frozenset({">", ">>", "<", "|", "&", "&&", "||", ";", "2>", "2>&1"})
+
 
 @dataclass(frozen=True)
 class Program:
@@ -111,6 +117,7 @@ def program_from_command(text: str, start: Path, timeout: float) -> Program:
         raise ValueError(f"--run {text!r}: {error}") from error
     if not words:
         raise ValueError("--run needs a command")
+    _check_words(words, start)
     command = tuple(_absolute(word, start) for word in words)
     return Program(
         name=_name(words),
@@ -120,6 +127,27 @@ def program_from_command(text: str, start: Path, timeout: float) -> Program:
         words=text,
         option=f"--run {join_words([text])}",
     )
+
+
+def _check_words(words: Sequence[str], start: Path) -> None:
+    """Raises ValueError where the command expects what it does not get: another placeholder, a shell, a quoted path."""
+    for word in words:
+        if re.fullmatch(r"\{\w+\}", word) and word[1:-1] not in PLACEHOLDERS:
+            known = ", ".join(f"{{{name}}}" for name in PLACEHOLDERS)
+            raise ValueError(f"--run: {word} is none of {known}")
+        if word in SHELL:
+            raise ValueError(
+                f"--run starts the program without a shell, so {word!r} would be an argument of it; "
+                "with one: --run \"sh -c 'COMMAND'\""
+            )
+    if (start / words[0]).exists():
+        return
+    for count in range(2, len(words) + 1):
+        path = " ".join(words[:count])
+        if is_path(path) and (start / path).is_file():
+            raise ValueError(
+                f"--run: a path with spaces needs quotes: '{path}'"
+            )
 
 
 def _absolute(word: str, start: Path) -> str:
@@ -139,7 +167,8 @@ def _name(words: Sequence[str]) -> str:
     """The program's own name, not its interpreter's."""
     plain = [w for w in words if re.fullmatch(r"[\w./\\:+][\w./\\:+-]*", w)]
     files = [w for w in plain if is_path(w) or "." in Path(w).name]
-    return Path((files or plain or words)[-1 if files else 0]).name
+    word = (files or plain or words)[-1 if files else 0]
+    return Path(word).name or word
 
 
 def program_from_port(path: Path, timeout: float | None = None) -> Program:

@@ -97,6 +97,24 @@ def test_wrong_usage_ends_with_2(arguments: list[str]) -> None:
     assert status == 2
 
 
+def test_wrong_usage_is_one_line_that_names_it(tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text("")
+    for arguments, said in {
+        (
+            "--scenario",
+            "no-such",
+        ): "no-such: no file, and no scenario of the suite has this name\n",
+        (
+            "--scenario",
+            ".",
+        ): ".: no file, and no scenario of the suite has this name\n",
+        ("--out", str(file / "out")): f"{file}/out: Not a directory\n",
+        ("--out", str(file)): f"{file}: File exists\n",
+    }.items():
+        assert invoke("--run", "true", *arguments) == (2, said)
+
+
 def test_a_class_of_one(tmp_path: Path, mapper: Path) -> None:
     place = tmp_path / "class" / "ada"
     place.mkdir(parents=True)

@@ -210,6 +210,25 @@ def test_a_command_that_is_none() -> None:
             program_from_command(text, Path("/x"), 5)
 
 
+def test_a_command_that_expects_what_it_does_not_get(tmp_path: Path) -> None:
+    (tmp_path / "my work").mkdir()
+    (tmp_path / "my work" / "map").write_text("")
+    for text, said in {
+        "./map {scen}": r"\{scen\} is none of \{scenario\}, ",
+        "./map {scenario} > {pgm}": "without a shell, so '>' would be",
+        f"{tmp_path}/my work/map {{out}}": f"needs quotes: '{tmp_path}/my work/map'",
+        "my work/map {out}": "needs quotes: 'my work/map'",
+    }.items():
+        with pytest.raises(ValueError, match=said):
+            program_from_command(text, tmp_path, 5)
+    for text in ("'my work/map' {out}", "awk '{ print }' {scenario}"):
+        program_from_command(text, tmp_path, 5)
+
+
+def test_a_folder_in_place_of_a_program_has_a_name(tmp_path: Path) -> None:
+    assert program_from_command(".", tmp_path, 5).name == "."
+
+
 def test_a_students_port_toml_needs_only_the_command(tmp_path: Path) -> None:
     (tmp_path / "map.sh").write_text("")
     (tmp_path / "port.toml").write_text(
