@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from occgrid.grid import sigmoid
+from occgrid_parity.explain.empty_maps import empty_maps, is_empty
 from occgrid_parity.explain.mistaken_maps import Evidence
 from occgrid_parity.explain.single_updates import single_update, untouched
 from occgrid_parity.formats.log_odds import bits
@@ -28,7 +29,8 @@ def observations(maps: Sequence[Evidence], reads_scenarios: bool) -> list[str]:
         if one.observed.pixels.shape
         == reference_map(one.case, one.mode).pixels.shape
     ]
-    said = []
+    said = [text] if (text := empty_maps(maps)) else []
+    maps = [one for one in maps if not is_empty(one)]
     # the first that fits explains the grey levels
     grey_levels = (_maximum, _trinary, _one_row, _prior, _probability)
     for looks in (grey_levels, (log_odds_fault,)):

@@ -154,11 +154,11 @@ class CommandRunner:
             writable=[out],
         )
         notes = [*ended.notes]
-        if ended.left:
-            one = "a process" if ended.left == 1 else f"{ended.left} processes"
-            notes.append(
-                f"forks: it left {one} running when it ended; ended, too"
-            )
+        if ended.left and ended.status is not None:
+            left, them = "a process", "it"
+            if ended.left > 1:
+                left, them = f"{ended.left} processes", "them"
+            notes.append(f"it left {left} running; the check ended {them}")
         if scenario is not None and not _is(scenario, case):
             notes.append("it changed its copy of the scenario file")
         printed = _beginning(ended.stderr) + _beginning(ended.stdout)
