@@ -148,7 +148,8 @@ def test_check_says_what_is_missing_and_what_is_wrong(tmp_path: Path) -> None:
     sensor.write_text(text.replace("z_max - 1e-12", "z_max + 1e-12"))
     wrong = starter_lines(tmp_path / "port.toml")[1]
     assert wrong.startswith("  read_ranges: wrong in ")
-    assert "the first: read_ranges(0.000999999999 0.001 free)" in wrong
+    first = "read_ranges(range 0.000999999999, z_max 0.001, no_return free)"
+    assert f"the first: {first} should be 0.001 0 1; yours is " in wrong
 
 
 def test_every_exercise_has_its_functions_in_every_language() -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import struct
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -31,7 +32,7 @@ from occgrid_parity.suite.vectors import FUNCTIONS, read_vectors
 STARTER = "starter.toml"
 NOT_WRITTEN = re.compile(r"exercise \d+: (\w+) is not written yet")
 DOUBLE = re.compile(r"[0-9a-f]{16}")
-WIDEST_ANSWER = 120
+WIDEST_ANSWER = 160
 
 
 class StarterFunction(Table, frozen=True):
@@ -116,7 +117,8 @@ def _look_at(
     question, right, answer = wrong[0]
     return (
         f"wrong in {len(wrong)} of {len(found)} cases; the first: "
-        f"{function.name}({_short(question)}) is {_short(right)}, not {_short(answer)}"
+        f"{function.name}({_short(question, vectors.arguments)}) "
+        f"should be {_short(right)}; yours is {_short(answer)}"
     )
 
 
@@ -155,8 +157,8 @@ def _missing(said: Path) -> str:
     return match[1] if match else ""
 
 
-def _short(text: str) -> str:
-    """A question or an answer to be read: doubles as decimals, and not too long."""
+def _short(text: str, names: Sequence[str] = ()) -> str:
+    """A question, with its arguments' names, or an answer to be read: doubles as decimals, and not too long."""
     words = [
         repr(struct.unpack(">d", bytes.fromhex(word))[0])
         if DOUBLE.fullmatch(word)
@@ -165,7 +167,13 @@ def _short(text: str) -> str:
             c if c.isprintable() else "?" for c in text
         ).split()
     ]
-    plain = " ".join(words)
+    plain = (
+        ", ".join(
+            f"{name} {word}" for name, word in zip(names, words, strict=True)
+        )
+        if names
+        else " ".join(words)
+    )
     return (
         plain
         if len(plain) <= WIDEST_ANSWER
