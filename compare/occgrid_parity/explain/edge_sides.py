@@ -14,12 +14,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from occgrid_parity.explain.cell_histories import CellHistories
 from occgrid_parity.explain.chosen_ways import NOTHING, ChosenWays
 from occgrid_parity.model.array_types import Cells
 
 Distance = Callable[[int, float], float]
 """distance(cell, value): how far the program's value is from it; 0 where the value is the program's."""
 
+ROUNDED_UP = 1.0 + 1e-9  # a sum is not below another one by rounding alone
 MOST_TRIES = 300  # and as many for each 10 cells that are open
 
 
@@ -52,6 +54,7 @@ class SideSearch:
         self.first = np.searchsorted(ways.ways.beam, np.arange(beams + 1))
         self.turned: dict[int, int] = {}
         self.effects: dict[int, dict[int, int]] = {}
+        self.histories = CellHistories(ways, self.chosen)
         self.open = {cell: self.off(cell) for cell in wrong.tolist()}
         self.tries = 0
 
@@ -105,21 +108,28 @@ class SideSearch:
         ]
 
     def gain(self, beam: int, way: int) -> float:
-        """How much farther the map is after the turn; below 0 where it is nearer."""
+        """How much farther the map is after the turn; below 0 where it is nearer, else this much or more."""
         self.tries += 1
         cells = self.changed(beam, way)
         before = sum(self.open.get(cell, 0.0) for cell in cells)
-        present = int(self.chosen[beam])
-        self.chosen[beam] = way
-        after = sum(map(self.off, cells))
-        self.chosen[beam] = present
-        return after - before
+        effect = self.effect(way)
+        enough = before * ROUNDED_UP
+        after: list[float] = []
+        for cell in cells:
+            kind = effect.get(cell, NOTHING)
+            value = self.histories.value(cell, beam, kind)
+            after.append(self.distance(cell, value))
+            enough -= after[-1]
+            if enough < 0.0:  # no cell can make up for it
+                break
+        return sum(after) - before
 
     def apply(self, beam: int, way: int) -> None:
         """Turns a beam, and sees which cells are open now."""
         cells = self.changed(beam, way)
         self.chosen[beam] = way
         for cell in cells:
+            self.histories.forget(cell)
             self.open[cell] = self.off(cell)
             if not self.open[cell]:
                 del self.open[cell]

@@ -19,7 +19,11 @@ FEW = 8
 
 def left_out(nearest: NearestFormulas, beams: Beams) -> str:
     """``without scan 50``, ``without beam 180 of every scan``; empty where nothing of this kind gives all cells."""
+    crossing = [nearest.crossing(cell) for cell in nearest.open[:FEW].tolist()]
     for words, gone in _gaps(beams):
+        # a cell that nothing leaves out stays wrong
+        if not all(gone[those].any() for those in crossing):
+            continue
         chosen = np.where(gone, NO_WAY, nearest.chosen)
         # most choices leave one of the first open cells wrong, which is quickly seen
         for cells in (nearest.open[:FEW], nearest.open, nearest.touched):

@@ -66,6 +66,11 @@ class NearestFormulas:
         """Which of the cells are not the program's."""
         return cells[~self.fits(cells, self.ways.values(cells, chosen))]
 
+    def crossing(self, cell: int) -> Cells:
+        """The beams that update a cell with the nearest formulas."""
+        visits = self.ways.visits(cell)
+        return visits.beam[self.chosen[visits.beam] == visits.way]
+
 
 def _others(nearest: NearestFormulas) -> Iterator[Formulas]:
     """The formulas taken, with another one for a single step, or for the directions of rays and beams together."""
