@@ -16,13 +16,11 @@ import numpy as np
 from occgrid.lesson import lesson_poses
 from occgrid.portable_math import cos, pi, sin
 from occgrid.world import Pose
-from occgrid_parity.explain.closeness import (
-    compare_with_reference,
-    differing,
-)
+from occgrid_parity.explain.closeness import compare_with_reference
 from occgrid_parity.explain.scan_choice import but_for
 from occgrid_parity.explain.shorter_scenarios import Shortener
-from occgrid_parity.model.reference import reference_map
+from occgrid_parity.explain.wrong_cells import wrong_cells
+from occgrid_parity.model.array_types import Array
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import LESSON, Case, built_in
@@ -40,89 +38,95 @@ class OtherLesson(NamedTuple):
     words: str
 
 
-def _pose(
-    ang: float,
-    heading: float | None = None,
+def _poses(
+    ang: Array,
+    heading: Array | float | None = None,
     semi_axes: tuple[float, float] = (6.0, 4.0),
     centre: float = -6.0,
-) -> Pose:
-    """A pose on the lesson's ellipse, as SPEC.md section 4 computes it."""
+) -> list[Pose]:
+    """Poses on the lesson's ellipse (n,), as SPEC.md section 4 computes them."""
     a, b = semi_axes
-    x, y = centre + a * float(cos(ang)), 0.0 + b * float(sin(ang))
-    return Pose(x, y, ang + QUARTER if heading is None else heading)
+    x, y = centre + a * cos(ang), 0.0 + b * sin(ang)
+    return _listed(x, y, ang + QUARTER if heading is None else heading)
 
 
-def _ang(t: float, scans: float = SCANS) -> float:
+def _swapped(ang: Array) -> list[Pose]:
+    x, y = -6.0 + 6.0 * sin(ang), 0.0 + 4.0 * cos(ang)
+    return _listed(x, y, ang + QUARTER)
+
+
+def _listed(x: Array, y: Array, theta: Array | float) -> list[Pose]:
+    columns = np.broadcast_arrays(x, y, theta)
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return [Pose(*row) for row in rows]
+
+
+def _ang(t: Array, scans: float = SCANS) -> Array:
     return (2.0 * pi) * (t / scans)
 
 
-def _swapped(ang: float) -> Pose:
-    x, y = -6.0 + 6.0 * float(sin(ang)), 0.0 + 4.0 * float(cos(ang))
-    return Pose(x, y, ang + QUARTER)
-
-
-ONE_POSE: tuple[tuple[str, Callable[[int], Pose]], ...] = (
+OTHER_POSES: tuple[tuple[str, Callable[[Array], list[Pose]]], ...] = (
     (
         "with every pose one step late: t from 1 to 120 (it should be 0 to 119; where t counts from 1, ang has t - 1)",
-        lambda t: _pose(_ang(t + 1)),
+        lambda t: _poses(_ang(t + 1)),
     ),
     (
         "with ang = 2 pi t / (T - 1), so that the last pose is the first again (it should be 2 pi t / T)",
-        lambda t: _pose(_ang(t, SCANS - 1)),
+        lambda t: _poses(_ang(t, SCANS - 1)),
     ),
     (
         "with every scan taken from the first pose (divided as whole numbers, t / T is always 0)",
-        lambda t: _pose(0.0),
+        lambda t: _poses(0.0 * t),
     ),
     (
         "with the heading ang (it should be ang + pi/2)",
-        lambda t: _pose(_ang(t), _ang(t)),
+        lambda t: _poses(_ang(t), _ang(t)),
     ),
     (
         "with the heading ang - pi/2 (it should be ang + pi/2)",
-        lambda t: _pose(_ang(t), _ang(t) - QUARTER),
+        lambda t: _poses(_ang(t), _ang(t) - QUARTER),
     ),
     (
         "with every heading one step late (that of t + 1)",
-        lambda t: _pose(_ang(t), _ang(t + 1) + QUARTER),
+        lambda t: _poses(_ang(t), _ang(t + 1) + QUARTER),
     ),
     (
         "with every heading one step early (that of t - 1)",
-        lambda t: _pose(_ang(t), _ang(t - 1) + QUARTER),
+        lambda t: _poses(_ang(t), _ang(t - 1) + QUARTER),
     ),
     (
         "with the same heading, pi/2, for every scan (it should be ang + pi/2)",
-        lambda t: _pose(_ang(t), QUARTER),
+        lambda t: _poses(_ang(t), QUARTER),
     ),
     (
         "with the ellipse's semi-axes swapped (6 m belong to x, 4 m to y)",
-        lambda t: _pose(_ang(t), semi_axes=(4.0, 6.0)),
+        lambda t: _poses(_ang(t), semi_axes=(4.0, 6.0)),
     ),
     (
         "with a circle of radius 6 m (the ellipse has 4 m in y)",
-        lambda t: _pose(_ang(t), semi_axes=(6.0, 6.0)),
+        lambda t: _poses(_ang(t), semi_axes=(6.0, 6.0)),
     ),
     (
         "with a circle of radius 4 m (the ellipse has 6 m in x)",
-        lambda t: _pose(_ang(t), semi_axes=(4.0, 4.0)),
+        lambda t: _poses(_ang(t), semi_axes=(4.0, 4.0)),
     ),
     (
         "with the ellipse around (0, 0) (its centre is (-6, 0))",
-        lambda t: _pose(_ang(t), centre=0.0),
+        lambda t: _poses(_ang(t), centre=0.0),
     ),
     (
         "with the ellipse around (6, 0) (its centre is (-6, 0))",
-        lambda t: _pose(_ang(t), centre=6.0),
+        lambda t: _poses(_ang(t), centre=6.0),
     ),
     (
         "with y = -4 sin(ang) (it should be +4 sin(ang))",
-        lambda t: _pose(_ang(t), semi_axes=(6.0, -4.0)),
+        lambda t: _poses(_ang(t), semi_axes=(6.0, -4.0)),
     ),
     ("with sin and cos swapped in the poses", lambda t: _swapped(_ang(t))),
 )
 ONCE_MORE = (
     "with the first pose once more at the end: 121 scans (t should stop at 119: t < T, not t <= T)",
-    [_pose(_ang(t)) for t in range(SCANS + 1)],
+    _poses(_ang(np.arange(SCANS + 1.0))),
 )
 
 
@@ -134,8 +138,8 @@ def other_lessons() -> tuple[OtherLesson, ...]:
     walls = [line for line in head if line.startswith(b"WALL")]
     poses = lesson_poses()
     found = [OtherLesson(_case(head, ONCE_MORE[1]), ONCE_MORE[0])]
-    for words, pose in ONE_POSE:
-        drawn = [pose(t) for t in range(SCANS)]
+    for words, poses_of in OTHER_POSES:
+        drawn = poses_of(np.arange(float(SCANS)))
         found.append(OtherLesson(_case(head, drawn), words))
     missing = [
         *(([wall], f"without the wall {_ends(wall)}") for wall in walls),
@@ -172,12 +176,13 @@ def other_lesson(observed: Observed, mode: Mode) -> str:
     world = world_of(lesson)
     if observed.pixels.shape != (world.settings.height, world.settings.width):
         return ""
-    most = _wrong(observed, lesson, mode)
-    nearest = min(
-        other_lessons(), key=lambda one: _wrong(observed, one.case, mode)
-    )
-    wrong = _wrong(observed, nearest.case, mode)
-    if wrong >= most:
+    most = wrong = wrong_cells(observed, lesson, mode)
+    nearest: OtherLesson | None = None
+    for other in other_lessons():
+        found = wrong_cells(observed, other.case, mode, enough=wrong)
+        if found < wrong:
+            wrong, nearest = found, other
+    if nearest is None:
         return ""
     compared = compare_with_reference(
         observed, nearest.case, mode, own_poses=True
@@ -187,9 +192,3 @@ def other_lesson(observed: Observed, mode: Mode) -> str:
     if compared.together or wrong * MUCH_NEARER > most:
         return ""
     return f"{nearest.words}, but for {wrong} cells at cell edges, each of which rounding alone could change"
-
-
-def _wrong(observed: Observed, case: Case, mode: Mode) -> int:
-    return int(
-        np.count_nonzero(differing(observed, reference_map(case, mode)))
-    )

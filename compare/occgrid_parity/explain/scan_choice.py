@@ -10,12 +10,12 @@ from occgrid_parity.explain.closeness import (
     MOST_OPEN,
     Compared,
     compare_with_reference,
-    differing,
 )
 from occgrid_parity.explain.shorter_scenarios import Shortener
+from occgrid_parity.explain.wrong_cells import count_wrong, wrong_cells
+from occgrid_parity.model.known_scans import known_scans
 from occgrid_parity.model.map_history import maps_after_scans
 from occgrid_parity.model.mapper_steps import Drawn
-from occgrid_parity.model.reference import reference_map
 from occgrid_parity.model.worlds import world_of
 from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import Case
@@ -50,14 +50,13 @@ def chosen_scans(
             for shorter, words in tried
             if len(world_of(shorter).scans) != count - 1
         ]
-    whole = reference_map(case, mode)
-    most = _wrong(observed, whole)
+    most = wrong_cells(observed, case, mode)
     # a map that comes no nearer, or not near enough for rounding, need not be looked at
     limit = min(most, MOST_OPEN + 1)
     near = [
         (wrong, shorter, words)
         for shorter, words in tried
-        if (wrong := _wrong(observed, reference_map(shorter, mode))) < limit
+        if (wrong := wrong_cells(observed, shorter, mode, limit)) < limit
     ]
     for _, shorter, words in sorted(near, key=lambda one: one[0])[:NEAREST]:
         compared = compare_with_reference(
@@ -93,22 +92,17 @@ def but_for(compared: Compared) -> str:
     return ""
 
 
-def _wrong(observed: Observed, drawn: Drawn) -> int:
-    return int(np.count_nonzero(differing(observed, drawn)))
-
-
 def _first_scans(observed: Observed, case: Case, mode: Mode) -> int:
     """After how many scans, but not all of them, the reference is nearest to the map."""
     world = world_of(case)
-    scenario = Scenario(
-        case.name, world.settings, list(world.walls), iter(world.scans)
-    )
+    scans = known_scans(world, mode.seed)
+    scenario = Scenario(case.name, world.settings, list(world.walls), scans)
     wrong: list[int] = []
     log_odds = world.settings.new_grid().log_odds
     pixels = pixel(log_odds)
-    for grid in maps_after_scans(scenario, mode.seed):
+    for grid in maps_after_scans(scenario, None):
         changed = grid.log_odds != log_odds
         log_odds[changed] = grid.log_odds[changed]
         pixels[changed] = pixel(log_odds[changed])
-        wrong.append(_wrong(observed, Drawn(log_odds, pixels[::-1])))
+        wrong.append(count_wrong(observed, Drawn(log_odds, pixels[::-1])))
     return int(np.argmin(wrong[:-1])) + 1

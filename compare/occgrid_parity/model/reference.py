@@ -11,6 +11,7 @@ from occgrid.fast import map_scenario_fast
 from occgrid.grid import OccupancyGrid
 from occgrid.scenario import Scenario
 from occgrid_parity.formats.log_odds import hash_log_odds
+from occgrid_parity.model.known_scans import known_scans
 from occgrid_parity.model.mapper_steps import Drawn
 from occgrid_parity.model.worlds import KEPT, world_of
 from occgrid_parity.suite.cases import Case, case, scenario_folder
@@ -29,16 +30,29 @@ def reference_map(case: Case, mode: Mode) -> Drawn:
     return _draw_once(case, mode)
 
 
-def _draw(case: Case, mode: Mode) -> Drawn:
+def _draw(case: Case, mode: Mode, rows: int | None = None) -> Drawn:
     world = world_of(case)
-    scenario = Scenario(
-        case.name, world.settings, list(world.walls), iter(world.scans)
-    )
-    grid = map_scenario_fast(scenario, mode.seed)
+    settings = world.settings
+    if rows is not None:
+        settings = replace(settings, height=rows)
+    scans = known_scans(world, mode.seed)
+    scenario = Scenario(case.name, settings, list(world.walls), scans)
+    grid = map_scenario_fast(scenario, None)
     return Drawn(grid.log_odds, picture(grid))
 
 
 _draw_once = functools.lru_cache(KEPT)(_draw)
+
+
+def lowest_rows(case: Case, mode: Mode, rows: int) -> Drawn:
+    """The rows of the map with the smallest y, which take less time than all of them."""
+    case = replace(case, is_file=True)
+    if world_of(case).settings.width * rows > KEPT_CELLS:
+        return _draw(case, mode, rows)
+    return _draw_rows_once(case, mode, rows)
+
+
+_draw_rows_once = functools.lru_cache(KEPT)(_draw)
 
 
 def picture(grid: OccupancyGrid) -> np.ndarray:
