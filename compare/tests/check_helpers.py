@@ -16,6 +16,7 @@ from occgrid_parity.check.program_check import check_program
 from occgrid_parity.check.verdict import Verdict
 from occgrid_parity.check.whole_check import check
 from occgrid_parity.model.arithmetic import PORTABLE, Arithmetic
+from occgrid_parity.model.array_types import Cells
 from occgrid_parity.model.mapper_steps import Ends, Mapper
 from occgrid_parity.processes.limits import Limits
 from occgrid_parity.programs.observed_map import Observed
@@ -100,12 +101,12 @@ def wrong_beam(x: float, y: float) -> type[Mapper]:
     class WrongBeam(Mapper):
         name = "wrong-beam"
 
-        def ends(self, scan: Scan) -> Ends:
-            z, _, used = self.read(scan.ranges)
+        def ends(self, scan: Scan) -> tuple[Ends, Cells]:
+            z, _, _ = self.read(scan.ranges)
             beam = self.beam(scan.pose.theta, scan.angles)
             ex, ey = self.endpoint(scan.pose, beam, z)
             wrong = (ex == x) & (ey == y)
-            ends = super().ends(scan)
-            return ends._replace(hit=ends.hit & ~wrong[used])
+            ends, beams = super().ends(scan)
+            return ends._replace(hit=ends.hit & ~wrong[beams]), beams
 
     return WrongBeam

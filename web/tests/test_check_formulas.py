@@ -54,7 +54,9 @@ class Rotated(Lesson):
     def endpoint(
         self, pose: Pose, beam: Values, z: Values
     ) -> tuple[Values, Values]:
-        heading, bearings = np.array([pose.theta]), self.bearings()
+        # the heading and the bearing of each beam
+        heading = np.broadcast_to(pose.theta, beam.shape)
+        bearings = np.resize(self.bearings(), beam.shape)
         c, s = self.numbers.cos(heading), self.numbers.sin(heading)
         cos, sin = self.numbers.cos(bearings), self.numbers.sin(bearings)
         return (

@@ -6,7 +6,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from occgrid_parity.model.array_types import Array, Cells, Mask
+from occgrid_parity.model.array_types import (
+    Array,
+    Cells,
+    Mask,
+    index_type,
+)
 from occgrid_parity.model.line_cells import contract_lines
 from occgrid_parity.model.rounding import Beams
 
@@ -60,13 +65,6 @@ class TracedWays:
         return dict(zip(cells.tolist(), kinds.tolist(), strict=True))
 
 
-def _index_type(
-    cells: int,
-) -> type[np.signedinteger] | type[np.unsignedinteger]:
-    """The smallest type of integers that numbers so many cells."""
-    return np.uint16 if cells <= 1 << 16 else np.int64
-
-
 def _parts(ways: Cells) -> list[Cells]:
     return [ways[i : i + CHUNK] for i in range(0, ways.size, CHUNK)] or [ways]
 
@@ -87,7 +85,7 @@ class ChosenWays:
         self.ways = traced.beams.ways
         self.model = model
         # NumPy sorts small integers much faster
-        small = _index_type(traced.width * traced.height)
+        small = index_type(traced.width * traced.height)
         order = np.argsort(traced.cell.astype(small), kind="stable")
         self.by_cell = traced.cell[order]
         self.way = traced.way[order]

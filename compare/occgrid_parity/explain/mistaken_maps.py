@@ -1,26 +1,29 @@
 """Draws maps with planted mistakes, and rules most of them out without drawing much.
 
-Mistakes that leave the beams alone share the beams' cells, which take the most time. In a large map a mistake is first
-held against the square with the most wrong cells, for which only the beams near it are traced. That is exact: cells do
-not depend on each other.
+Mistakes that leave the beams alone share the beams' cells, which take the most time, and those that leave the update
+alone, too, share the log-odds. In a large map a mistake is first held against the square with the most wrong cells, for
+which only the beams near it are traced. That is exact: cells do not depend on each other.
 """
 
 from __future__ import annotations
 
 import functools
 import threading
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from hashlib import sha256
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
+from occgrid.sensor import Scan
 from occgrid_parity.explain.closeness import Closeness, differing, grey_levels
 from occgrid_parity.model.arithmetic import Arithmetic
+from occgrid_parity.model.array_types import Array
 from occgrid_parity.model.mapper_steps import (
     Drawn,
     Mapper,
+    ScanEnds,
     Traced,
     Window,
 )
@@ -31,16 +34,18 @@ from occgrid_parity.programs.observed_map import Observed
 from occgrid_parity.suite.cases import Case
 from occgrid_parity.suite.modes import Mode
 
+T = TypeVar("T")
+
 LARGE = 10_000  # cells of a map of which a square is drawn first
 SQUARE = 16  # cells along a side
 FAR = 0.1  # share of the square that no other sines and cosines can change
 ROUNDINGS = 1000  # additions that a cell's log-odds may have behind them
 
-# the steps that decide which cells are updated, and how: mistakes in others share them
-TRACING = (
-    "reads",
+# the steps that decide where beams start and end: mistakes in others share these
+AIMING = (
     "bearings",
     "simulate",
+    "simulated",
     "deviate",
     "noisy",
     "clip_range",
@@ -50,12 +55,22 @@ TRACING = (
     "endpoint",
     "index",
     "to_grid",
-    "lines",
-    "evidence",
     "kept",
     "ends",
-    "within_scan",
-    "batches",
+    "beams",
+)
+# those that decide which cells are updated, and how
+TRACING = (*AIMING, "lines", "evidence", "within_scan", "batches")
+# those that make log-odds of the updates
+UPDATING = (
+    "logit",
+    "start",
+    "steps",
+    "clamp",
+    "finish",
+    "place",
+    "apply",
+    "log_odds",
 )
 # those that decide where a cell lies in the files
 ARRANGING = ("place", "file_order", "picture", "arrange")
@@ -114,13 +129,20 @@ class Evidence:
         )
 
 
+Shared = tuple[object, ...]
+"""What a map, or a step on the way to it, depends on."""
+
+
 @dataclass
 class MistakenMaps:
-    """Compares mistakes with maps; what it has found out about a mistake and what it has traced is kept."""
+    """Compares mistakes with maps; what it has found out about a mistake, and what it has drawn on the way, is kept."""
 
-    shared: dict[tuple[int, str], list[Traced]] = field(default_factory=dict)
+    beams: dict[Shared, list[ScanEnds]] = field(default_factory=dict)
+    updates: dict[Shared, list[Traced]] = field(default_factory=dict)
+    log_odds: dict[Shared, Array] = field(default_factory=dict)
     far: set[str] = field(default_factory=set)
     lock: threading.Lock = field(default_factory=threading.Lock)
+    making: dict[Shared, threading.Lock] = field(default_factory=dict)
 
     def draws_all(
         self,
@@ -154,12 +176,12 @@ class MistakenMaps:
         mapper = mistake.of(one.case, one.mode.seed, numbers)
         s = mapper.settings
         if s.width * s.height >= LARGE and not halves:
-            share = self._wrong_in_square(mapper, one, numbers)
+            share = self._wrong_in_square(mapper, one)
             if share > FAR:
                 self.far.add(mistake.name)
             if share:
                 return False
-        drawn = mapper.draw(self._batches(mapper, one, numbers))
+        drawn = mapper.drawn(self._log_odds(mapper, one))
         DRAWN[_key(mistake, one, numbers)] = _digests(drawn)
         if not _same_shape(drawn, one.observed):
             return False
@@ -167,38 +189,62 @@ class MistakenMaps:
             return True
         return halves and _only_halves(one.observed, drawn)
 
-    def _batches(
-        self,
-        mapper: Mapper,
-        one: Evidence,
-        numbers: Arithmetic,
-        window: Window | None = None,
-    ) -> Iterable[Traced]:
-        """The updates of a map, or of a window of it; kept where the mistake has the contract's."""
-        kind = type(mapper)
-        if any(_overrides(kind, step) for step in TRACING):
-            return mapper.batches(window)
-        key = (id(numbers), f"{one.case.digest} {one.mode.name} {window}")
-        with self.lock:
-            if key not in self.shared:
-                self.shared[key] = list(mapper.batches(window))
-            return self.shared[key]
+    def _log_odds(
+        self, mapper: Mapper, one: Evidence, window: Window | None = None
+    ) -> Array:
+        """The log-odds of a map, where only those of a window need be right."""
+        key = (*_shared(mapper, one, TRACING, window), *_own(mapper, UPDATING))
+        return self._once(
+            self.log_odds,
+            key,
+            lambda: mapper.log_odds(self._updates(mapper, one, window)),
+        )
 
-    def _wrong_in_square(
-        self, mapper: Mapper, one: Evidence, numbers: Arithmetic
-    ) -> float:
+    def _updates(
+        self, mapper: Mapper, one: Evidence, window: Window | None
+    ) -> Iterable[Traced]:
+        """The updates of a window, or of a map; those of a map are kept where the mistake has the contract's."""
+        if window is None and _overrides(mapper, TRACING):
+            return mapper.batches(beams=self._beams(mapper, one))
+        return self._once(
+            self.updates,
+            _shared(mapper, one, TRACING, window),
+            lambda: _joined(mapper.batches(window, self._beams(mapper, one))),
+        )
+
+    def _beams(self, mapper: Mapper, one: Evidence) -> Iterable[ScanEnds]:
+        """The beams of all scans; kept where they are the contract's."""
+        if _overrides(mapper, AIMING):
+            return mapper.beams()
+        key = _shared(mapper, one, AIMING)
+        return self._once(self.beams, key, lambda: list(mapper.beams()))
+
+    def _once(
+        self, known: dict[Shared, T], key: Shared, make: Callable[[], T]
+    ) -> T:
+        """What is kept under a key; the thread that asks first makes it, and others wait for it."""
+        with self.lock:
+            making = self.making.setdefault(
+                (id(known), *key), threading.Lock()
+            )
+        with making:
+            if key not in known:
+                known[key] = make()
+            return known[key]
+
+    def _wrong_in_square(self, mapper: Mapper, one: Evidence) -> float:
         """Of the cells in the square with the most wrong ones, the share that the mistake does not draw.
 
         0 where the mistake exchanges cells, so that the square cannot be drawn alone.
         """
-        if any(_overrides(type(mapper), step) for step in ARRANGING):
+        if _overrides(mapper, ARRANGING):
             return 0.0
         s = mapper.settings
         if one.observed.pixels.shape != (s.height, s.width):
             return 1.0
         w = one.window
-        values = mapper.values(w, self._batches(mapper, one, numbers, w))
         rows, columns = slice(w.bottom, w.top), slice(w.left, w.right)
+        values = self._log_odds(mapper, one, w)[rows, columns].reshape(-1)
         pixels = mapper.pixel(mapper.probability(values))
         wrong = pixels != one.observed.pixels[::-1][rows, columns].reshape(-1)
         if one.observed.log_odds is not None:
@@ -207,12 +253,42 @@ class MistakenMaps:
         return float(wrong.mean())
 
 
-def _overrides(kind: type[Mapper], step: str) -> bool:
-    """Whether a mistake lies in a step."""
-    own, contract = getattr(kind, step), getattr(Mapper, step)
-    return getattr(own, "__func__", own) is not getattr(
-        contract, "__func__", contract
-    )
+def _joined(updates: Iterable[Traced]) -> list[Traced]:
+    """The same updates, all at once."""
+    parts = list(updates)
+    if len(parts) < 2:
+        return parts
+    return [Traced(*map(np.concatenate, zip(*parts, strict=True)))]
+
+
+def _overrides(mapper: Mapper, steps: Iterable[str]) -> bool:
+    """Whether a mistake lies in one of the steps."""
+    return _own(mapper, steps) != [getattr(Mapper, step) for step in steps]
+
+
+def _shared(
+    mapper: Mapper,
+    one: Evidence,
+    steps: Iterable[str],
+    window: Window | None = None,
+) -> Shared:
+    """What some steps on the way to a map, or to a window of it, depend on."""
+    world = _content(mapper.reads(one.case))
+    own = _own(mapper, steps)
+    return world, one.mode, id(mapper.numbers), window, *own
+
+
+@functools.lru_cache(256)
+def _content(case: Case) -> Shared:
+    """What tells worlds apart, however their files are written."""
+    settings, walls, scans = world_of(case)
+    if any(isinstance(scan, Scan) for scan in scans):
+        return (case.digest,)
+    return settings, *walls, *scans
+
+
+def _own(mapper: Mapper, steps: Iterable[str]) -> Sequence[object]:
+    return [getattr(type(mapper), step) for step in steps]
 
 
 def _key(

@@ -69,7 +69,9 @@ class NearestFormulas:
     def crossing(self, cell: int) -> Cells:
         """The beams that update a cell with the nearest formulas."""
         visits = self.ways.visits(cell)
-        return visits.beam[self.chosen[visits.beam] == visits.way]
+        mine = self.chosen[visits.beam] == visits.way
+        beams: Cells = visits.beam[mine]
+        return beams
 
 
 def _others(nearest: NearestFormulas) -> Iterator[Formulas]:

@@ -287,7 +287,6 @@ class TiesOnBothSides(Mapper):
     title = "Bresenham's loop steps at equality (e2 >= -dy, e2 <= dx)"
     lesson = "The lesson's loop has e2 > -dy and e2 < dx, both strictly; equality decides where ties go."
     where = LINE
-    strays = True
 
     def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
         def step(e2: Cells, dx: Cells, dy: Cells) -> tuple[Mask, Mask]:
@@ -301,7 +300,6 @@ class TiesAtEqualityInX(Mapper):
     title = "Bresenham's loop steps along x at equality (e2 >= -dy)"
     lesson = "The lesson's loop has e2 > -dy and e2 < dx, both strictly; equality decides where ties go."
     where = LINE
-    strays = True
 
     def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
         def step(e2: Cells, dx: Cells, dy: Cells) -> tuple[Mask, Mask]:
@@ -315,7 +313,6 @@ class TiesAtEqualityInY(Mapper):
     title = "Bresenham's loop steps along y at equality (e2 <= dx)"
     lesson = "The lesson's loop has e2 > -dy and e2 < dx, both strictly; equality decides where ties go."
     where = LINE
-    strays = True
 
     def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
         def step(e2: Cells, dx: Cells, dy: Cells) -> tuple[Mask, Mask]:

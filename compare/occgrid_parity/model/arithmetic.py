@@ -31,7 +31,9 @@ class Arithmetic:
     log: Function
 
 
-@functools.lru_cache(4096)
+MANY = 1000
+
+
 def _directions(beam: bytes, numbers: Arithmetic) -> tuple[Array, Array]:
     angles = np.frombuffer(beam, dtype=np.float64)
     found = numbers.cos(angles), numbers.sin(angles)
@@ -40,17 +42,24 @@ def _directions(beam: bytes, numbers: Arithmetic) -> tuple[Array, Array]:
     return found
 
 
+# a beam takes 24 bytes
+_directions_of_few = functools.lru_cache(4096)(_directions)
+_directions_of_many = functools.lru_cache(128)(_directions)
+
+
 def directions(beam: Array, numbers: Arithmetic) -> tuple[Array, Array]:
     """Cosines and sines of directions (n,); kept, since most mistakes have the same beams."""
-    return _directions(beam.tobytes(), numbers)
+    kept = _directions_of_few if beam.size < MANY else _directions_of_many
+    return kept(beam.tobytes(), numbers)
 
 
 def _each(function: Callable[[float], float]) -> Function:
     """A function of one number, applied to each."""
 
     def of_array(values: Array) -> Array:
-        flat = [function(value) for value in values.reshape(-1).tolist()]
-        return np.array(flat, dtype=np.float64).reshape(values.shape)
+        flat = map(function, values.reshape(-1).tolist())
+        found = np.fromiter(flat, np.float64, values.size)
+        return found.reshape(values.shape)
 
     return of_array
 

@@ -15,11 +15,18 @@ from occgrid.sensor import Scan
 from occgrid.world import Pose, Segment
 from occgrid_parity.model import arithmetic
 from occgrid_parity.model.arithmetic import Arithmetic
-from occgrid_parity.model.array_types import Array, Cells, Mask
+from occgrid_parity.model.array_types import (
+    Array,
+    Cells,
+    Mask,
+    index_type,
+)
 from occgrid_parity.model.line_cells import Lines, contract_lines
 from occgrid_parity.model.worlds import World, world_of
 from occgrid_parity.suite.cases import Case
 
+SIDEWAYS = 2  # cells, at the most, from a line to a cell that it visits
+BATCH_BEAMS = 1 << 12
 BATCH_CELLS = 1 << 17
 
 
@@ -47,6 +54,12 @@ class Traced(NamedTuple):
             self.occupied[chosen],
         )
 
+    def within(self, window: Window) -> Traced:
+        """The updates of the cells of a window."""
+        inside = (self.gx >= window.left) & (self.gx < window.right)
+        inside &= (self.gy >= window.bottom) & (self.gy < window.top)
+        return self.where(np.flatnonzero(inside))
+
 
 class Window(NamedTuple):
     """A rectangle of cells; the right and the upper border belong to it no more."""
@@ -66,7 +79,7 @@ class Ends(NamedTuple):
     gy1: Cells
     hit: Mask
 
-    def where(self, chosen: Mask) -> Ends:
+    def where(self, chosen: Mask | slice) -> Ends:
         """Some of the beams."""
         return Ends(
             self.gx0[chosen],
@@ -77,19 +90,84 @@ class Ends(NamedTuple):
         )
 
     def near(self, window: Window) -> Mask:
-        """Which beams can come into a window: the rectangle between their ends meets it."""
-        return (
-            (np.minimum(self.gx0, self.gx1) < window.right)
-            & (np.maximum(self.gx0, self.gx1) >= window.left)
-            & (np.minimum(self.gy0, self.gy1) < window.top)
-            & (np.maximum(self.gy0, self.gy1) >= window.bottom)
+        """Which beams can come into a window.
+
+        The rectangle between their ends meets it, and its corners do not all lie SIDEWAYS on one side of the line.
+        """
+        left, bottom, right, top = window
+        near = (
+            (np.minimum(self.gx0, self.gx1) < right)
+            & (np.maximum(self.gx0, self.gx1) >= left)
+            & (np.minimum(self.gy0, self.gy1) < top)
+            & (np.maximum(self.gy0, self.gy1) >= bottom)
         )
+        dx, dy = self.gx1 - self.gx0, self.gy1 - self.gy0
+        aside = [
+            dx * (y - self.gy0) - dy * (x - self.gx0)
+            for x in (left, right - 1)
+            for y in (bottom, top - 1)
+        ]
+        margin = SIDEWAYS * np.maximum(np.abs(dx), np.abs(dy))
+        near &= np.minimum.reduce(aside) <= margin
+        near &= np.maximum.reduce(aside) >= -margin
+        return near
 
     @property
-    def cells(self) -> int:
-        """How many cells their lines have, about."""
+    def cells(self) -> Cells:
+        """How many cells the line of each has, about."""
         dx, dy = np.abs(self.gx1 - self.gx0), np.abs(self.gy1 - self.gy0)
-        return int(np.maximum(dx, dy).sum() + dx.size)
+        cells: Cells = np.maximum(dx, dy) + 1
+        return cells
+
+
+class ScanEnds(NamedTuple):
+    """Beams, and the numbers of their scans (n,)."""
+
+    scan: Cells
+    ends: Ends
+
+
+def many_in_one(scans: Iterable[Scan]) -> Iterator[tuple[Cells, Scan]]:
+    """The beams of many scans as one scan, and the number of the scan of each beam; BATCH_BEAMS or a scan more.
+
+    The numbers of its pose are arrays, one for each beam.
+    """
+    for part in _batched(enumerate(scans)):
+        sizes = [scan.angles.size for _, scan in part]
+        numbers = np.repeat([number for number, _ in part], sizes)
+        poses = np.repeat([scan.pose for _, scan in part], sizes, axis=0)
+        angles = np.concatenate([scan.angles for _, scan in part])
+        ranges = np.concatenate([scan.ranges for _, scan in part])
+        yield numbers, Scan(Pose(*poses.T), angles, ranges)
+
+
+def _batched(
+    scans: Iterable[tuple[int, Scan]],
+) -> Iterator[list[tuple[int, Scan]]]:
+    part: list[tuple[int, Scan]] = []
+    beams = 0
+    for number, scan in scans:
+        part.append((number, scan))
+        beams += scan.angles.size
+        if beams >= BATCH_BEAMS:
+            yield part
+            part, beams = [], 0
+    if part:
+        yield part
+
+
+def _whole_scans(numbers: Cells, cells: Cells) -> Iterator[slice]:
+    """Consecutive beams of whole scans, which have BATCH_CELLS cells, up to a scan more."""
+    starts = np.flatnonzero(np.diff(numbers, prepend=-1))
+    sums = np.add.reduceat(cells, starts) if starts.size else starts
+    first, many = 0, 0
+    for start, own in zip(starts.tolist(), sums.tolist(), strict=True):
+        if many > BATCH_CELLS:
+            yield slice(first, start)
+            first, many = start, 0
+        many += own
+    if numbers.size:
+        yield slice(first, numbers.size)
 
 
 def meeting(
@@ -107,17 +185,18 @@ def meeting(
     return t, meets
 
 
-@functools.lru_cache(2048)
+@functools.lru_cache(512)
 def _cast(
     walls: tuple[Segment, ...],
-    x: float,
-    y: float,
-    beam: bytes,
+    points: bytes,
+    beams: bytes,
     z_max: float,
     numbers: Arithmetic,
 ) -> Array:
-    """Ranges along directions (3.2); kept, since most mistakes see the same ranges."""
-    rdx, rdy = arithmetic.directions(np.frombuffer(beam), numbers)
+    """Ranges (k, n) from points x, y along n directions each (3.2); kept, since most mistakes see the same ranges."""
+    x, y = np.frombuffer(points).reshape(2, -1, 1)
+    flat = arithmetic.directions(np.frombuffer(beams), numbers)
+    rdx, rdy = (values.reshape(len(x), -1) for values in flat)
     nearest = np.full(rdx.shape, np.inf)
     for wall in walls:
         t, meets = meeting(x, y, rdx, rdy, wall)
@@ -134,8 +213,6 @@ class Mapper:
     title: ClassVar[str] = "no mistake"
     lesson: ClassVar[str] = ""
     where: ClassVar[str] = ""
-    strays: ClassVar[bool] = False
-    """Whether a line may leave the rectangle between its ends."""
 
     def __init__(
         self,
@@ -166,21 +243,20 @@ class Mapper:
         """The scenario as it should be written for the contract to read what this mapper reads."""
         return case
 
-    def draw(
-        self,
-        batches: Iterable[Traced] | None = None,
-        sample: Mask | None = None,
-    ) -> Drawn:
-        """Maps all scans.
+    def draw(self) -> Drawn:
+        """Maps all scans."""
+        return self.drawn(self.log_odds(self.batches()))
 
-        ``batches`` are the updates where they are known already. With ``sample`` (one for each cell of the array) the
-        other cells keep what they start with.
-        """
+    def log_odds(self, batches: Iterable[Traced]) -> Array:
+        """The array of log-odds after these updates."""
         s = self.settings
         log_odds: Array = np.full(s.height * s.width, self.start())
-        for traced in self.batches() if batches is None else batches:
-            self.apply(log_odds, traced, sample)
-        log_odds = self.finish(log_odds).reshape(s.height, s.width)
+        for traced in batches:
+            self.apply(log_odds, traced)
+        return self.finish(log_odds).reshape(s.height, s.width)
+
+    def drawn(self, log_odds: Array) -> Drawn:
+        """The map of an array of log-odds."""
         return Drawn(self.file_order(log_odds), self.picture(log_odds))
 
     # --- the model (2.2) ---
@@ -212,12 +288,23 @@ class Mapper:
         return np.zeros(1) if n == 1 else -(fov / 2.0) + (fov * i) / (n - 1.0)
 
     def simulate(self, pose: Pose, angles: Array) -> Array:
-        beam = self.beam(pose.theta, angles)
+        """Ranges (n,) from a pose; (k, n) from many in one, whose numbers are arrays (k, 1)."""
+        shape = np.broadcast_shapes(np.shape(pose.theta), angles.shape)
+        beams = np.broadcast_to(self.beam(pose.theta, angles), shape)
+        points = np.array([pose.x, pose.y]).tobytes()
         walls = tuple(self.world.walls)
         z_max = self.settings.max_range
-        return _cast(
-            walls, pose.x, pose.y, beam.tobytes(), z_max, self.numbers
-        )
+        ranges = _cast(walls, points, beams.tobytes(), z_max, self.numbers)
+        return ranges.reshape(shape)
+
+    def simulated(self, angles: Array) -> Iterator[Array]:
+        """The ranges of each simulated scan, without noise."""
+        scans = self.world.scans
+        poses = [scan for scan in scans if not isinstance(scan, Scan)]
+        many = max(1, BATCH_BEAMS // max(1, angles.size))
+        for first in range(0, len(poses), many):
+            x, y, theta = np.array(poses[first : first + many]).T[:, :, None]
+            yield from self.simulate(Pose(x, y, theta), angles)
 
     def deviate(self, seed: int, scan: int, beams: Cells) -> Array:
         return arithmetic.normal_deviate(seed, scan, beams, self.numbers)
@@ -232,11 +319,12 @@ class Mapper:
 
     def scans(self) -> Iterator[Scan]:
         angles = self.bearings()
+        simulated = self.simulated(angles)
         for number, scan in enumerate(self.world.scans):
             if isinstance(scan, Scan):
                 yield scan
                 continue
-            ranges = self.simulate(scan, angles)
+            ranges = next(simulated)
             if self.seed is not None:
                 ranges = self.noisy(ranges, self.seed, number)
             yield Scan(scan, angles, ranges)
@@ -293,66 +381,70 @@ class Mapper:
         """Which beams are traced."""
         return np.ones(gx0.shape, dtype=bool)
 
-    def ends(self, scan: Scan) -> Ends:
-        """Where the beams of one scan start and end, in cells; those that are not traced are left out."""
+    def ends(self, scan: Scan) -> tuple[Ends, Cells]:
+        """Where the beams of a scan start and end, in cells, and which beams they are: some are not traced.
+
+        The scan may be many in one, whose pose then has arrays, a number for each beam.
+        """
         z, hit, used = self.read(scan.ranges)
         pose = scan.pose
         ex, ey = self.endpoint(pose, self.beam(pose.theta, scan.angles), z)
-        gx1, gy1 = self.to_grid(ex[used], ey[used])
-        gx0, gy0 = self.to_grid(
-            np.full(gx1.shape, pose.x), np.full(gx1.shape, pose.y)
+        x, y = (
+            np.broadcast_to(pose.x, z.shape),
+            np.broadcast_to(pose.y, z.shape),
         )
+        gx1, gy1 = self.to_grid(ex[used], ey[used])
+        gx0, gy0 = self.to_grid(x[used], y[used])
+        kept = self.kept(gx0, gy0, gx1, gy1)
         ends = Ends(gx0, gy0, gx1, gy1, hit[used])
-        return ends.where(self.kept(gx0, gy0, gx1, gy1))
+        return ends.where(kept), np.flatnonzero(used)[kept]
 
     def within_scan(self, traced: Traced) -> Traced:
         """The updates of some whole scans, before they are applied."""
         return traced
 
-    def batches(self, window: Window | None = None) -> Iterator[Traced]:
-        """The updates of several scans at a time, which is quicker than one by one.
+    def beams(self) -> Iterator[ScanEnds]:
+        """The beams of several scans at a time, which is quicker than one by one."""
+        for numbers, scan in many_in_one(self.scans()):
+            ends, beams = self.ends(scan)
+            yield ScanEnds(numbers[beams], ends)
 
-        With a ``window``, beams may be left out that cannot come into it.
+    def batches(
+        self,
+        window: Window | None = None,
+        beams: Iterable[ScanEnds] | None = None,
+    ) -> Iterator[Traced]:
+        """The updates of several scans at a time; those of cells outside a ``window`` may be left out.
+
+        ``beams`` are those of all scans, where they are known.
         """
-        numbers: list[Cells] = []
-        ends: list[Ends] = []
-        cells = 0
-        for number, scan in enumerate(self.scans()):
-            these = self.ends(scan)
-            if window is not None and not self.strays:
-                these = these.where(these.near(window))
-            numbers.append(np.full(these.gx0.shape, number))
-            ends.append(these)
-            cells += these.cells
-            if cells > BATCH_CELLS:
-                yield self._trace(numbers, ends)
-                numbers, ends, cells = [], [], 0
-        if ends:
-            yield self._trace(numbers, ends)
+        for numbers, ends in self.beams() if beams is None else beams:
+            if window is not None:
+                near = ends.near(window)
+                numbers, ends = numbers[near], ends.where(near)
+            for part in _whole_scans(numbers, ends.cells):
+                traced = self._trace(numbers[part], ends.where(part))
+                yield traced if window is None else traced.within(window)
 
-    def _trace(self, numbers: list[Cells], ends: list[Ends]) -> Traced:
-        scan = np.concatenate(numbers)
-        beams = Ends(*map(np.concatenate, zip(*ends, strict=True)))
-        lines = self.lines(beams.gx0, beams.gy0, beams.gx1, beams.gy1)
-        lines, occupied = self.evidence(lines, beams.hit)
+    def _trace(self, scan: Cells, ends: Ends) -> Traced:
+        lines = self.lines(ends.gx0, ends.gy0, ends.gx1, ends.gy1)
+        lines, occupied = self.evidence(lines, ends.hit)
         return self.within_scan(
             Traced(scan[lines.beam], lines.gx, lines.gy, occupied)
         )
 
-    def apply(
-        self, log_odds: Array, traced: Traced, sample: Mask | None = None
-    ) -> None:
+    def apply(self, log_odds: Array, traced: Traced) -> None:
         """Adds the steps in order, clamping after each.
 
         Cells do not depend on each other, so the j-th updates of all cells are made at once.
         """
         places, inside = self.place(traced.gx, traced.gy)
-        if sample is not None:
-            inside = inside & sample[np.where(inside, places, 0)]
         places, occupied = places[inside], traced.occupied[inside]
         if not places.size:
             return
-        order = np.argsort(places, kind="stable")
+        # NumPy sorts small integers much faster
+        small = index_type(log_odds.size)
+        order = np.argsort(places.astype(small), kind="stable")
         places, occupied = places[order], occupied[order]
         free_step, occupied_step = self.steps()
         steps = np.where(occupied, occupied_step, free_step)
@@ -366,17 +458,6 @@ class Mapper:
         for j, n in enumerate(reached.tolist()):
             values[:n] = self.clamp(values[:n] + steps[starts[:n] + j])
         log_odds[touched] = values
-
-    def values(self, window: Window, batches: Iterable[Traced]) -> Array:
-        """The log-odds of the cells of a window (n,), row by row, after these updates."""
-        s = self.settings
-        square = np.zeros((s.height, s.width), dtype=bool)
-        square[window.bottom : window.top, window.left : window.right] = True
-        sample = square.reshape(-1)
-        log_odds: Array = np.full(sample.shape, self.start())
-        for traced in batches:
-            self.apply(log_odds, traced, sample)
-        return self.finish(log_odds)[sample]
 
     # --- the files (2.6, 7) ---
 
@@ -393,8 +474,10 @@ class Mapper:
 
     def picture(self, log_odds: Array) -> Cells:
         """The rows of the picture, the one with the largest y first."""
-        p = self.probability(log_odds.reshape(-1)).reshape(log_odds.shape)
-        return self.arrange(self.pixel(p).astype(np.int64))
+        # many cells have the same log-odds
+        values, cell = np.unique(log_odds.reshape(-1), return_inverse=True)
+        levels = self.pixel(self.probability(values)).astype(np.int64)
+        return self.arrange(levels[cell].reshape(log_odds.shape))
 
     def arrange(self, cells: Cells) -> Cells:
         """An array of cells in the order of the picture."""

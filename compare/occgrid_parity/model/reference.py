@@ -9,7 +9,8 @@ import numpy as np
 
 from occgrid.fast import map_scenario_fast
 from occgrid.grid import OccupancyGrid
-from occgrid.scenario import Scenario
+from occgrid.scenario import Scenario, Settings
+from occgrid.sensor import Scan
 from occgrid_parity.formats.log_odds import hash_log_odds
 from occgrid_parity.model.known_scans import known_scans
 from occgrid_parity.model.mapper_steps import Drawn
@@ -33,12 +34,22 @@ def reference_map(case: Case, mode: Mode) -> Drawn:
 def _draw(case: Case, mode: Mode, rows: int | None = None) -> Drawn:
     world = world_of(case)
     settings = world.settings
+    scans = known_scans(world, mode.seed)
     if rows is not None:
         settings = replace(settings, height=rows)
-    scans = known_scans(world, mode.seed)
+        scans = [_low_beams(scan, settings) for scan in scans]
     scenario = Scenario(case.name, settings, list(world.walls), scans)
     grid = map_scenario_fast(scenario, None)
     return Drawn(grid.log_odds, picture(grid))
+
+
+def _low_beams(scan: Scan, settings: Settings) -> Scan:
+    """The beams of a scan that come below the top of a grid, and perhaps others."""
+    pose, angles, ranges = scan
+    rise = np.fmin(ranges, settings.max_range) * np.sin(pose.theta + angles)
+    top = settings.origin_y + settings.height * settings.resolution
+    low = ~(pose.y + np.minimum(rise, 0.0) > top + settings.resolution)
+    return Scan(pose, angles[low], ranges[low])
 
 
 _draw_once = functools.lru_cache(KEPT)(_draw)

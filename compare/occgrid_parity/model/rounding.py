@@ -107,11 +107,10 @@ def beams_of(world: World, seed: int | None, own_poses: bool = False) -> Beams:
 
 
 def _all_beams(world: World, seed: int | None, own_poses: bool) -> Beams:
-    known = seed is None and world.settings.beams == 1
     walls = tuple(world.walls)
     parts = [
-        _known_beam(world.settings, walls, scan, number, own_poses)
-        if known and not isinstance(scan, Scan)
+        _known_scan(world.settings, walls, scan, number, own_poses)
+        if seed is None and not isinstance(scan, Scan)
         else _scan_beams(world, scan, number, seed, own_poses)
         for number, scan in enumerate(world.scans)
     ]
@@ -144,20 +143,20 @@ def _all_beams(world: World, seed: int | None, own_poses: bool) -> Beams:
     )
 
 
-def _known_beam(
+def _known_scan(
     settings: Settings,
     walls: tuple[Segment, ...],
     pose: Pose,
     number: int,
     own_poses: bool,
 ) -> Beams:
-    """A simulated scan of one beam without noise; kept, since the search cuts the same scans again and again."""
-    beam = _one_beam(settings, walls, pose, own_poses)
-    return replace(beam, scan=np.full(1, number))
+    """A simulated scan without noise; kept, since the same scans are looked at again in other scenarios."""
+    known = _scan_of_one if settings.beams == 1 else _scan_of_many
+    beams = known(settings, walls, pose, own_poses)
+    return replace(beams, scan=np.full(beams.scan.size, number))
 
 
-@functools.lru_cache(50_000)  # some 2.5 kB each
-def _one_beam(
+def _one_scan(
     settings: Settings,
     walls: tuple[Segment, ...],
     pose: Pose,
@@ -165,6 +164,10 @@ def _one_beam(
 ) -> Beams:
     world = World(settings, walls, [pose])
     return _scan_beams(world, pose, 0, None, own_poses)
+
+
+_scan_of_one = functools.lru_cache(50_000)(_one_scan)  # some 2.5 kB each
+_scan_of_many = functools.lru_cache(256)(_one_scan)  # twice the lesson
 
 
 def _scan_beams(

@@ -106,11 +106,15 @@ class Rotated(Lesson):
     def endpoint(
         self, pose: Pose, beam: np.ndarray, z: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        c, s = math.cos(pose.theta), math.sin(pose.theta)
-        bearings = self.bearings().tolist()
-        cos = np.array([c * math.cos(b) - s * math.sin(b) for b in bearings])
-        sin = np.array([s * math.cos(b) + c * math.sin(b) for b in bearings])
-        return pose.x + z * cos, pose.y + z * sin
+        # the heading and the bearing of each beam
+        heading = np.broadcast_to(pose.theta, beam.shape)
+        bearings = np.resize(self.bearings(), beam.shape)
+        c, s = self.numbers.cos(heading), self.numbers.sin(heading)
+        cos, sin = self.numbers.cos(bearings), self.numbers.sin(bearings)
+        return (
+            pose.x + z * (c * cos - s * sin),
+            pose.y + z * (s * cos + c * sin),
+        )
 
 
 class Wrapped(Lesson):
