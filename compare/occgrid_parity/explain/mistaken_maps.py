@@ -192,13 +192,19 @@ class MistakenMaps:
     def _log_odds(
         self, mapper: Mapper, one: Evidence, window: Window | None = None
     ) -> Array:
-        """The log-odds of a map, where only those of a window need be right."""
+        """The log-odds of a map, or of a window of it; those of a map are kept where the updates are the contract's."""
+
+        def make() -> Array:
+            whole = mapper.log_odds(self._updates(mapper, one, window))
+            if window is None:
+                return whole
+            left, bottom, right, top = window
+            return whole[bottom:top, left:right].copy()
+
+        if window is None and _overrides(mapper, TRACING):
+            return make()
         key = (*_shared(mapper, one, TRACING, window), *_own(mapper, UPDATING))
-        return self._once(
-            self.log_odds,
-            key,
-            lambda: mapper.log_odds(self._updates(mapper, one, window)),
-        )
+        return self._once(self.log_odds, key, make)
 
     def _updates(
         self, mapper: Mapper, one: Evidence, window: Window | None
@@ -244,7 +250,7 @@ class MistakenMaps:
             return 1.0
         w = one.window
         rows, columns = slice(w.bottom, w.top), slice(w.left, w.right)
-        values = self._log_odds(mapper, one, w)[rows, columns].reshape(-1)
+        values = self._log_odds(mapper, one, w).reshape(-1)
         pixels = mapper.pixel(mapper.probability(values))
         wrong = pixels != one.observed.pixels[::-1][rows, columns].reshape(-1)
         if one.observed.log_odds is not None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 import pytest
 
-from occgrid.world import Pose
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import SEEDS
 from occgrid_parity.check.whole_check import check
@@ -187,10 +188,11 @@ def test_noise_of_another_generator_is_thought_of() -> None:
     class Noisy(Mapper):
         name = "noise-of-its-own"
 
-        def simulate(self, pose: Pose, angles: Array) -> Array:
-            seed = int(1000.0 * pose.theta)
-            noise = np.random.default_rng(seed).normal(0.0, 0.02, angles.size)
-            return self.clip_range(super().simulate(pose, angles) + noise)
+        def simulated(self, angles: Array) -> Iterator[Array]:
+            generator = np.random.default_rng(1)
+            for ranges in super().simulated(angles):
+                noise = generator.normal(0.0, 0.02, angles.size)
+                yield self.clip_range(ranges + noise)
 
     runner = MapperRunner(
         Noisy, log_odds=False, reads_scenarios=False, takes_seeds=False

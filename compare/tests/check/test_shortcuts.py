@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from inspect import getattr_static
+
 import numpy as np
 import pytest
 
@@ -16,7 +18,11 @@ from occgrid_parity.explain.chosen_ways import (
     TracedWays,
     UpdateModel,
 )
-from occgrid_parity.explain.mistaken_maps import ARRANGING
+from occgrid_parity.explain.mistaken_maps import (
+    ARRANGING,
+    TRACING,
+    UPDATING,
+)
 from occgrid_parity.explain.wrong_cells import wrong_cells
 from occgrid_parity.mistakes.catalogue import MISTAKES
 from occgrid_parity.model.array_types import Cells
@@ -96,6 +102,22 @@ def test_a_window_is_drawn_as_in_the_whole_map(
             part = mapper.log_odds(mapper.batches(window))
             cells = slice(bottom, bottom + 4), slice(left, left + 5)
             assert part[cells].tobytes() == whole[cells].tobytes()
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_every_step_in_which_a_mistake_lies_is_known_to_those_who_share(
+    name: str,
+) -> None:
+    """Otherwise the mistake would be given what the contract has made."""
+    steps = {
+        step
+        for step, own in vars(Mapper).items()
+        if callable(getattr(Mapper, step)) and not step.startswith("__")
+        if getattr_static(MISTAKES[name], step) is not own
+    }
+    pictures = {"reads", "probability", "pixel"}
+    assert steps <= {*TRACING, *UPDATING, *ARRANGING} | pictures
+    assert steps
 
 
 @pytest.mark.parametrize("name", WINDOWED)
