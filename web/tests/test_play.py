@@ -486,12 +486,6 @@ def test_addresses_open_a_state_and_follow_it(open_page: Open) -> None:
     page.wait_for_function(
         "Math.abs(document.querySelector('#line').getBoundingClientRect().top) < 500"
     )
-    page.evaluate(
-        "new Promise((resolve) => { addEventListener('hashchange', resolve);"
-        " location.hash = '#scan=x&beam=-3&cell=999,1&p0=7&seed=-1'; })"
-    )
-    assert page.evaluate("occgridPage.lab.world.settings.p0") == 0.5
-    assert page.evaluate("occgridPage.lab.cell") == {"gx": 12, "gy": 34}
 
 
 def test_a_log_without_our_parameters_gets_a_grid(

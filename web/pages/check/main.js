@@ -23,6 +23,8 @@ import { startJudging } from "./judging.js";
 /** @typedef {import("../model/compareMaps.js").Found} Found */
 /** @typedef {{gx: number, gy: number}} Cell */
 
+const MOST_BYTES = 500000000;
+
 const choice = byId("scenario", HTMLSelectElement);
 choice.append(
   ...Object.keys(offered).map((name) =>
@@ -81,6 +83,12 @@ function check() {
     if (!(error instanceof FileError)) throw error;
     say("bad", ["cannot be read", error.message], "unreadable");
     return;
+  }
+  if ("picture" in found && found.picture.top !== 255) {
+    const { top } = found.picture;
+    element("checked").append(
+      ` Your picture's maximum is ${top}, not 255, so its levels are scaled.`,
+    );
   }
   const job = { found, name: choice.value, text: offered[choice.value] };
   stop = startJudging(
@@ -208,10 +216,13 @@ function point(cell) {
 function viewOf(id) {
   const canvas = byId(id, HTMLCanvasElement);
   const view = new GridCanvas(canvas, draw);
-  canvas.addEventListener("pointermove", (event) => {
-    const cell = view.cellUnder(event);
-    if (cell) point(cell);
-  });
+  for (const name of /** @type {const} */ (["pointermove", "click"])) {
+    // a finger that taps does not move
+    canvas.addEventListener(name, (event) => {
+      const cell = view.cellUnder(event);
+      if (cell) point(cell);
+    });
+  }
   view.takeKeys(() => shownNow?.at ?? null, point, point);
   return view;
 }
@@ -232,22 +243,16 @@ function choose() {
 takeFiles(
   element("drop"),
   input("file"),
+  MOST_BYTES,
   (name, bytes) => {
     file = { name, bytes };
     check();
     element("verdict-title").focus();
   },
-  (name) => {
+  (name, why) => {
     file = null;
     begin(name);
-    say(
-      "bad",
-      [
-        "cannot be read",
-        "It may be a folder, or a file that has just changed.",
-      ],
-      "unreadable",
-    );
+    say("bad", ["cannot be read", why], "unreadable");
     element("verdict-title").focus();
   },
 );

@@ -47,6 +47,18 @@ const LINE_OF = /** @type {Record<Mark, number>} */ (
   )
 );
 
+/** A line for the eye, not for the record. */
+const MOST_STEPS = 5000;
+const FARTHEST = 1e9;
+
+/** Whether a line is short enough to be followed step by step. @param {number[]} line its ends */
+export function lineIsShown([gx0, gy0, gx1, gy1]) {
+  return (
+    [gx0, gy0, gx1, gy1].every((number) => Math.abs(number) <= FARTHEST) &&
+    Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0)) <= MOST_STEPS
+  );
+}
+
 /**
  * @typedef {object} Stop
  * @property {Mark} mark

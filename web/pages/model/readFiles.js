@@ -5,7 +5,7 @@ const MOST_CELLS = 25000000;
 /** A file that is no map; its message is for the reader. */
 export class FileError extends Error {}
 
-/** @typedef {{width: number, height: number, pixels: Uint16Array}} Picture rows from the top */
+/** @typedef {{width: number, height: number, pixels: Uint16Array, top: number}} Picture rows from the top; the file's maximum */
 /** @typedef {{width: number, height: number, values: Float64Array}} LogOdds rows from the bottom */
 
 /**
@@ -19,8 +19,32 @@ export function readMapFile(bytes) {
   const text = new TextDecoder("latin1").decode(bytes);
   if (text.startsWith("#")) return { logOdds: readLogOdds(text) };
   throw new FileError(
-    "This is neither a PGM picture (it would begin with P2 or P5) nor a .logodds file (it would begin with # logodds).",
+    `${kindOf(bytes)} neither a PGM picture (it would begin with P2 or P5) nor a .logodds file (it would begin with # logodds).`,
   );
+}
+
+/** How files begin that are easily taken for a map. @type {[number[], string][]} */
+const OTHERS = [
+  [[0xff, 0xfe], "text in UTF-16, as PowerShell's > writes it"],
+  [[0xfe, 0xff], "text in UTF-16"],
+  [[0xef, 0xbb, 0xbf], "text with a byte order mark"],
+  [[0x89, 0x50, 0x4e, 0x47], "a PNG picture"],
+  [[0xff, 0xd8, 0xff], "a JPEG picture"],
+  [[0x47, 0x49, 0x46], "a GIF picture"],
+  [[0x42, 0x4d], "a BMP picture"],
+  [[0x50, 0x31], "a PBM picture, of black and white only"],
+  [[0x50, 0x34], "a PBM picture, of black and white only"],
+  [[0x50, 0x33], "a PPM picture, with colours"],
+  [[0x50, 0x36], "a PPM picture, with colours"],
+];
+
+/** What a file is that is no map. @param {Uint8Array} bytes */
+function kindOf(bytes) {
+  if (bytes.length === 0) return "The file is empty,";
+  const other = OTHERS.find(([start]) =>
+    start.every((byte, i) => byte === bytes[i]),
+  );
+  return other ? `This is ${other[1]},` : "This is";
 }
 
 /**
@@ -81,7 +105,7 @@ export function readPgm(bytes) {
     pixels[i] =
       top === 255 ? level : Math.floor((level * 510 + top) / (2 * top));
   }
-  return { width, height, pixels };
+  return { width, height, pixels, top };
 }
 
 /**

@@ -1,83 +1,85 @@
 /** The page's state in its address, so that a link can open it where a text needs it. */
 
-import { lessonSettings } from "../../src/lesson.js";
+import { lineIsShown } from "../model/lineTrace.js";
 import { MISTAKES } from "../model/mistakes.js";
 import { SLIDERS } from "./settingsPanel.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 
-/** @param {string} text @param {number} count @returns {number[] | null} */
+/** @param {string | null} text @param {number} count @returns {number[] | null} */
 function wholes(text, count) {
-  const numbers = text.split(",").map(Number);
-  return numbers.length === count && numbers.every(Number.isSafeInteger)
-    ? numbers
+  const parts = text?.split(",") ?? [];
+  return parts.length === count &&
+    parts.every((part) => /^-?[0-9]{1,9}$/.test(part))
+    ? parts.map(Number)
     : null;
 }
 
 /**
- * Takes the address in; what it does not say stays.
+ * Takes the address in. What it does not say is as the world was opened, so that a link always shows the same, and the
+ * browser's way back undoes what the way here has done; walls and a file are no part of it.
  *
  * @param {Lab} lab
  * @param {string} hash
+ * @param {(error: unknown) => void} refuse gets what is wrong with the settings that are asked for
  * @returns {string | null} the section that it is about
  */
-export function readAddress(lab, hash) {
-  const asked = new URLSearchParams(hash.replace(/^#/, ""));
+export function readAddress(lab, hash, refuse) {
   if (!hash.includes("=")) return null;
+  const asked = new URLSearchParams(hash.replace(/^#/, ""));
   let section = "world";
-  const settings = SLIDERS.filter(({ id }) => asked.has(id)).map(
-    ({ id, key }) => [key, Number(asked.get(id))],
-  );
-  if (settings.length > 0) {
-    try {
-      lab.set(Object.fromEntries(settings));
-    } catch {
-      // not a possible grid: the page stays as it is
+
+  const { settings } = lab.opened;
+  try {
+    const values = SLIDERS.map(({ id, key }) => {
+      const text = asked.get(id);
+      return [key, text === null ? settings[key] : Number(text.trim() || NaN)];
+    });
+    const noReturn = asked.get("no_return") ?? settings.noReturn;
+    if (noReturn !== "free" && noReturn !== "ignore") {
+      throw new RangeError("no_return must be free or ignore");
     }
+    lab.set({ ...Object.fromEntries(values), noReturn });
+  } catch (error) {
+    refuse(error); // the page stays as it is
   }
-  if (asked.get("noise") === "free") lab.setSeed(null);
+
   const seed = asked.get("seed");
   if (seed !== null && /^[0-9]{1,10}$/.test(seed) && Number(seed) < 2 ** 32) {
     lab.setSeed(Number(seed));
+  } else {
+    lab.setSeed(asked.get("noise") === "free" ? null : 0);
   }
-  const scan = wholes(asked.get("scan") ?? "", 1);
-  const beam = wholes(asked.get("beam") ?? "", 1);
-  if (asked.has("scan") && scan)
-    lab.goTo(scan[0], asked.has("beam") && beam ? beam[0] : undefined);
-  else if (asked.has("beam") && beam) lab.goTo(lab.scan, beam[0]);
-  if (asked.has("beam")) lab.line = null;
+
+  const scan = wholes(asked.get("scan"), 1);
+  const beam = wholes(asked.get("beam"), 1);
+  lab.free = null;
+  lab.goTo(scan?.[0] ?? lab.opened.scan, beam?.[0]);
+
   const names = (asked.get("mistake") ?? "").split(",");
-  const mistakes = names.filter((name) => MISTAKES.has(name));
-  if (mistakes.length > 0) {
-    lab.mistakes = new Set(mistakes);
-    section = "what-if";
-  }
-  const cell = wholes(asked.get("cell") ?? "", 2);
+  lab.mistakes = new Set(names.filter((name) => MISTAKES.has(name)));
+  if (lab.mistakes.size > 0) section = "what-if";
+
+  const cell = wholes(asked.get("cell"), 2);
   const { width, height } = lab.world.settings;
-  if (
-    cell &&
+  const isCell =
+    cell !== null &&
     cell[0] >= 0 &&
     cell[0] < width &&
     cell[1] >= 0 &&
-    cell[1] < height
-  ) {
-    lab.cell = { gx: cell[0], gy: cell[1] };
-    section = "cell";
-  }
-  const line = wholes(asked.get("line") ?? "", 4);
-  if (
-    line &&
-    Math.max(Math.abs(line[2] - line[0]), Math.abs(line[3] - line[1])) <= 5000
-  ) {
+    cell[1] < height;
+  if (isCell) section = "cell";
+  lab.cell = isCell ? { gx: cell[0], gy: cell[1] } : lab.startCell;
+
+  const line = wholes(asked.get("line"), 4);
+  lab.line = null;
+  if (line !== null && lineIsShown(line)) {
     lab.line = [line[0], line[1], line[2], line[3]];
-    lab.step = 0;
     section = "line";
   }
-  const step = wholes(asked.get("step") ?? "", 1);
-  if (asked.has("step") && step) {
-    lab.step = Math.max(step[0], 0);
-    section = "line";
-  }
+  const step = wholes(asked.get("step"), 1);
+  lab.step = Math.max(step?.[0] ?? 0, 0);
+  if (step !== null) section = "line";
   return section;
 }
 
@@ -85,22 +87,25 @@ export function readAddress(lab, hash) {
  * The address of the state at hand, as short as it can be.
  *
  * @param {Lab} lab
- * @param {Set<string>} touched what the reader has had a hand on
  * @returns {string}
  */
-export function addressOf(lab, touched) {
+export function addressOf(lab) {
+  const { opened, cell, startCell } = lab;
+  const { settings } = lab.world;
   const parts = [`scan=${lab.scan}`];
   if (lab.beam !== lab.beams) parts.push(`beam=${lab.beam}`);
   if (lab.seed === null) parts.push("noise=free");
   else if (lab.seed !== 0) parts.push(`seed=${lab.seed}`);
-  const lesson = lessonSettings();
   for (const { id, key } of SLIDERS) {
-    const value = lab.world.settings[key];
-    if (value !== lesson[key]) parts.push(`${id}=${value}`);
+    const value = settings[key];
+    if (value !== opened.settings[key]) parts.push(`${id}=${value}`);
   }
+  if (settings.noReturn !== opened.settings.noReturn)
+    parts.push(`no_return=${settings.noReturn}`);
   if (lab.mistakes.size)
     parts.push(`mistake=${Array.from(lab.mistakes).join()}`);
-  if (touched.has("cell")) parts.push(`cell=${lab.cell.gx},${lab.cell.gy}`);
+  if (cell.gx !== startCell.gx || cell.gy !== startCell.gy)
+    parts.push(`cell=${cell.gx},${cell.gy}`);
   if (lab.line) parts.push(`line=${lab.line.join()}`);
   if (lab.step > 0) parts.push(`step=${lab.step}`);
   return `#${parts.join("&")}`;

@@ -24,6 +24,8 @@ const VIEW = {
   top: 30,
   bottom: 34,
 };
+/** So far apart, names beside the curve can be read. */
+const APART = 14;
 const MOST_ROWS = 400;
 
 export class CellFigure {
@@ -158,7 +160,9 @@ export class CellFigure {
     const old = body.querySelector(".now");
     if (old === row) return;
     old?.classList.remove("now");
+    old?.removeAttribute("aria-current");
     row?.classList.add("now");
+    row?.setAttribute("aria-current", "step");
     const scroll = body.closest(".scroll");
     if (row && scroll)
       scroll.scrollTop = row.offsetTop - scroll.clientHeight / 2;
@@ -185,18 +189,22 @@ export class CellFigure {
     const parts = [];
     const line = (
       /** @type {number} */ l,
+      /** @type {number} */ at,
       /** @type {string} */ name,
       /** @type {string} */ dashes,
     ) => {
       parts.push(
         `<path d="M${left} ${y(l)}H${width - right}" stroke="var(--strong)" stroke-dasharray="${dashes}"/>`,
-        `<text x="${left - 6}" y="${y(l) + 4}" text-anchor="end">${shown(l, Math.abs(l) < 10 && l % 1 ? 1 : 0)}</text>`,
-        `<text x="${width - right + 6}" y="${y(l) + 4}">${name}</text>`,
+        `<text x="${left - 6}" y="${at + 4}" text-anchor="end">${shown(l, l % 1 ? 2 : 0)}</text>`,
+        `<text x="${width - right + 6}" y="${at + 4}">${name}</text>`,
       );
     };
-    line(lMax, "l_max", "6 4");
-    line(lMin, "l_min", "6 4");
-    line(values[0], "prior", "2 3");
+    const [high, low] = [y(lMax), y(lMin)];
+    line(lMax, high, "l_max", "6 4");
+    line(lMin, low, "l_min", "6 4");
+    // beside a bound, the prior's name makes room for the bound's
+    const at = Math.min(Math.max(y(values[0]), high + APART), low - APART);
+    line(values[0], at, "prior", "2 3");
     const marks = [0, 0.25, 0.5, 0.75, 1].map((part) =>
       Math.round(part * count),
     );

@@ -2,7 +2,6 @@
 
 import { lessonScenario } from "../../src/lesson.js";
 import { addRangeNoise } from "../../src/noise.js";
-import { newGrid, Settings } from "../../src/scenario.js";
 import {
   beamAngles,
   beamEndpoints,
@@ -13,9 +12,11 @@ import { Pose, simulateLidarScan } from "../../src/world.js";
 import { MistakenMapper } from "../model/mistakenMapper.js";
 import { MISTAKES } from "../model/mistakes.js";
 import { Run } from "../model/run.js";
+import { changedSettings } from "../model/settings.js";
 import { Timeline } from "../model/timeline.js";
 
 /** @typedef {import("../model/mistakenMapper.js").World} World */
+/** @typedef {import("../../src/scenario.js").Settings} Settings */
 /** @typedef {import("../../src/world.js").Segment} Segment */
 /** @typedef {{gx: number, gy: number}} Cell */
 /** @typedef {import("../shared/gridCanvas.js").Pad} Pad */
@@ -26,6 +27,9 @@ import { Timeline } from "../model/timeline.js";
  * @property {number} beam how many of its beams have been added
  * @property {Scan | null} added a scan on top, from where the reader has put the robot
  */
+
+/** The scan that the lesson is shown after first. */
+const FIRST = 24;
 
 /** So many cells are shown beyond a path that leaves the grid. */
 const ROOM = 5;
@@ -57,6 +61,8 @@ export class Lab {
 
   /** @type {World} */
   world;
+  /** What the world was opened with. @type {{settings: Settings, scan: number, cell: Cell}} */
+  opened;
   /** Its scans, and the map after each. @type {Run} */
   run;
   /** Where each scan is taken. @type {Pose[]} */
@@ -72,8 +78,13 @@ export class Lab {
       scans: Array.from(lesson.scans()),
     };
     this.run = new Run(this.world, this.seed);
+    this.opened = {
+      settings: lesson.settings,
+      scan: FIRST,
+      cell: this.cell,
+    };
     this.#changed();
-    this.beam = this.beams;
+    this.goTo(FIRST);
   }
 
   /** A grid like that of the map. */
@@ -107,30 +118,42 @@ export class Lab {
     this.name = name;
     this.free = null;
     this.line = null;
+    this.step = 0;
     this.scan = 1;
     this.cursor = null;
-    const { width, height } = world.settings;
-    this.cell = { gx: width >> 1, gy: height >> 1 };
+    const { settings } = world;
+    this.cell = { gx: settings.width >> 1, gy: settings.height >> 1 };
+    this.opened = { settings, scan: this.scan, cell: this.cell };
     this.#changed();
     this.#coming = null;
     this.#mapped = null;
     this.beam = this.beams;
   }
 
-  /** @param {Partial<Settings>} values */
+  /** The cell that is shown first, on the grid of now. @returns {Cell} */
+  get startCell() {
+    return this.#onGridOfNow(this.opened.cell, this.opened.settings);
+  }
+
+  /** The cell of now at the place of one of another grid. @param {Cell} cell @param {Settings} old @returns {Cell} */
+  #onGridOfNow({ gx, gy }, { resolution }) {
+    const { settings } = this.world;
+    const zoom = resolution / settings.resolution;
+    return {
+      gx: Math.min(Math.floor(gx * zoom), settings.width - 1),
+      gy: Math.min(Math.floor(gy * zoom), settings.height - 1),
+    };
+  }
+
+  /** @param {Partial<Settings>} values @throws {RangeError} where they are not possible */
   set(values) {
-    const settings = new Settings({ ...this.world.settings, ...values });
-    newGrid(settings); // refuses what is not possible
-    const whole = this.beam === this.beams;
     const old = this.world.settings;
+    const settings = changedSettings(old, values);
+    const whole = this.beam === this.beams;
     this.world = { ...this.world, settings };
-    const zoom = old.resolution / settings.resolution;
-    if (zoom !== 1) {
+    if (settings.resolution !== old.resolution) {
       this.cursor = null;
-      this.cell = {
-        gx: Math.min(Math.floor(this.cell.gx * zoom), settings.width - 1),
-        gy: Math.min(Math.floor(this.cell.gy * zoom), settings.height - 1),
-      };
+      this.cell = this.#onGridOfNow(this.cell, old);
     }
     this.#changed();
     this.beam = whole ? this.beams : Math.min(this.beam, this.beams);

@@ -1,7 +1,6 @@
 /** One beam through Bresenham's loop: the cells, the variables, and the line of code that has just run. */
 
-import { LONGEST_LINE } from "../../src/ray.js";
-import { LISTING, traceLine } from "../model/lineTrace.js";
+import { LISTING, lineIsShown, traceLine } from "../model/lineTrace.js";
 import {
   button,
   byId,
@@ -11,6 +10,7 @@ import {
   ShownWidth,
   setText,
 } from "../shared/dom.js";
+import { plural } from "../shared/words.js";
 
 /** @typedef {import("./lab.js").Lab} Lab */
 /** @typedef {import("../model/lineTrace.js").Stop} Stop */
@@ -45,9 +45,7 @@ export class LineFigure {
           Math.trunc(input(end).valueAsNumber),
         );
         const [gx0, gy0, gx1, gy1] = numbers;
-        // a line for the eye, not for the record
-        const steps = Math.max(Math.abs(gx1 - gx0), Math.abs(gy1 - gy0));
-        if (steps <= 5000) {
+        if (lineIsShown(numbers)) {
           lab.line = [gx0, gy0, gx1, gy1];
           lab.step = 0;
         }
@@ -133,11 +131,11 @@ export class LineFigure {
       (ends
         ? [ends.from.gx, ends.from.gy, ends.to.gx, ends.to.gy]
         : [0, 0, 0, 0]);
-    const hit = ends?.hit ?? false;
+    const isShown = lineIsShown(line);
+    const hit = (ends?.hit ?? false) && isShown;
     const key = line.join();
     if (key !== this.#key) {
-      const [gx0, gy0, gx1, gy1] = line;
-      if (Math.abs(gx1 - gx0) > LONGEST_LINE) return;
+      const [gx0, gy0, gx1, gy1] = isShown ? line : [0, 0, 0, 0];
       if (this.#key !== "" && lab.line === null) lab.step = 0;
       this.#key = key;
       this.#trace = traceLine(gx0, gy0, gx1, gy1);
@@ -170,23 +168,31 @@ export class LineFigure {
     );
     button("line-back").disabled = lab.step === 0;
     button("line-start").disabled = lab.step === 0;
-    button("line-on").disabled = lab.step === this.#last;
-    button("cell-on").disabled = lab.step === this.#last;
+    button("line-on").disabled = lab.step === this.#last || !isShown;
+    button("cell-on").disabled = lab.step === this.#last || !isShown;
+    button("line-play").disabled = !isShown;
+    slider.disabled = !isShown;
     button("line-play").setAttribute("aria-pressed", `${this.#timer !== 0}`);
     setText(button("line-play"), this.#timer ? "Pause" : "Play");
 
     this.#mark(stop.line);
     this.#variables(stop, lab.step > 0 ? stops[lab.step - 1] : null);
-    setText(element("line-happened"), stop.words);
+    setText(element("line-happened"), isShown ? stop.words : "");
     const what =
       lab.line !== null
         ? "A line of your own"
         : ends === null
           ? `Beam ${beam + 1} of scan ${lab.scan} is ignored`
           : `Beam ${beam + 1} of scan ${lab.scan}, which ${hit ? "hits something in its last cell" : "meets nothing"}`;
+    const from = `${what}: from cell (${line[0]}, ${line[1]}) to (${line[2]}, ${line[3]})`;
+    byId("line-view", SVGSVGElement).style.visibility = isShown
+      ? "visible"
+      : "hidden";
     setText(
       element("line-words"),
-      `${what}: from cell (${line[0]}, ${line[1]}) to (${line[2]}, ${line[3]}), ${cells.length} cells. ${stop.count} of them are listed so far${stop.count ? `, the last is (${cells[stop.count - 1].gx}, ${cells[stop.count - 1].gy})` : ""}.`,
+      !isShown
+        ? `${from}. These are too many cells to follow step by step.`
+        : `${from}, ${plural(cells.length, "cell")}. ${stop.count} of them are listed so far${stop.count ? `, the last is (${cells[stop.count - 1].gx}, ${cells[stop.count - 1].gy})` : ""}.`,
     );
     this.#draw(stop, hit, width);
   }
@@ -252,7 +258,14 @@ export class LineFigure {
     const x = (/** @type {number} */ gx) => (gx - left) * side;
     const y = (/** @type {number} */ gy) => height - (gy - bottom) * side;
     const parts = [];
-    cells.slice(0, stop.count).forEach(({ gx, gy }, k) => {
+    const isSeen = (/** @type {{gx: number, gy: number}} */ { gx, gy }) =>
+      gx > left - 1 &&
+      gx < left + columns &&
+      gy > bottom - 1 &&
+      gy < bottom + rows;
+    cells.slice(0, stop.count).forEach((cell, k) => {
+      if (!isSeen(cell)) return;
+      const { gx, gy } = cell;
       const end = k === cells.length - 1;
       const fill = end && hit ? "var(--hit)" : "var(--free)";
       parts.push(

@@ -2,13 +2,13 @@
 
 import { MISTAKES } from "../model/mistakes.js";
 import { hashOfMap } from "../model/sha256.js";
-import { element, setText } from "../shared/dom.js";
+import { element, sayAfterKeys, setText } from "../shared/dom.js";
 import { addressOf, readAddress } from "./address.js";
 import { CellFigure } from "./cellFigure.js";
 import { Lab } from "./lab.js";
 import { LineFigure } from "./lineFigure.js";
 import { MapView } from "./mapView.js";
-import { SettingsPanel } from "./settingsPanel.js";
+import { notPossible, SettingsPanel } from "./settingsPanel.js";
 import { Stage } from "./stage.js";
 import { Transport } from "./transport.js";
 import { WhatIf } from "./whatIf.js";
@@ -16,9 +16,6 @@ import { WorldPanel } from "./worldPanel.js";
 import { WorldView } from "./worldView.js";
 
 const lab = new Lab();
-/** @type {Set<string>} */
-const touched = new Set();
-const start = lab.cell;
 const stage = new Stage(lab, settle);
 const { changed } = stage;
 
@@ -33,6 +30,13 @@ const figures = {
   whatIf: new WhatIf(lab, changed),
 };
 stage.show(Object.values(figures));
+for (const name of ["world", "map", "wrong"]) {
+  sayAfterKeys(
+    element(`${name}-view`),
+    element(`${name}-words`),
+    element("announce"),
+  );
+}
 
 /** The address follows the page only after the reader has done something. */
 let own = false;
@@ -42,33 +46,41 @@ function settle() {
   const { now } = lab.maps();
   const place = `scan ${lab.scan}, beam ${lab.beam}${lab.free ? ", and the robot where you have put it" : ""}`;
   setText(element("hash"), `${hashOfMap(now)} (${place})`);
-  const address = addressNow();
+  const address = addressOf(lab);
   if ((own || address !== opened) && address !== location.hash)
     history.replaceState(null, "", address);
   own = true;
 }
 
-function addressNow() {
-  if (lab.cell.gx !== start.gx || lab.cell.gy !== start.gy)
-    touched.add("cell");
-  return addressOf(lab, touched);
-}
-
+/** Shows what the address says. @returns {string} the section that it is about */
 function follow() {
-  const section = readAddress(lab, location.hash);
+  setText(element("settings-words"), "");
+  const section = readAddress(lab, location.hash, (error) =>
+    setText(
+      element("settings-words"),
+      `The address asks for other settings. ${notPossible(error)}`,
+    ),
+  );
   stage.opensHere();
   changed();
-  if (section !== null && section !== "world") {
-    requestAnimationFrame(() => element(section).scrollIntoView());
-  }
+  return section ?? "world";
 }
 
-lab.goTo(24, lab.beams);
-addEventListener("hashchange", follow);
+/** @param {string} section */
+function scrollTo(section) {
+  if (section === "world") return;
+  requestAnimationFrame(() => element(section).scrollIntoView());
+}
+
+addEventListener("hashchange", () => scrollTo(follow()));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
-follow();
+const section = follow();
+// a page that is loaded again stays where it was
+const [navigation] = performance.getEntriesByType("navigation");
+const { type } = /** @type {PerformanceNavigationTiming} */ (navigation);
+if (type === "navigate") scrollTo(section);
 /** What the page shows before the reader does anything. */
-const opened = addressNow();
+const opened = addressOf(lab);
 
 // for tests: what the page shows, in numbers
 Object.assign(window, {
@@ -81,6 +93,6 @@ Object.assign(window, {
     busy: () => stage.isWaiting,
     render: () => stage.drawAll(),
     hash: () => hashOfMap(lab.maps().now),
-    address: () => addressOf(lab, touched),
+    address: () => addressOf(lab),
   },
 });

@@ -76,13 +76,17 @@ export const SLIDERS = [
     unit: " m",
   },
 ];
-const MOST_CELLS = 2000000;
 
 /** @type {Record<string, Partial<Settings>>} */
 const PRESETS = {
   weak: { p0: 0.5, pOcc: 0.6, pFree: 0.4 },
   strong: { p0: 0.5, pOcc: 0.9, pFree: 0.1 },
 };
+
+/** What the page says of settings that it refuses. @param {unknown} error */
+export function notPossible(error) {
+  return `Not possible: ${error instanceof Error ? error.message : error}.`;
+}
 
 export class SettingsPanel {
   #key = -1;
@@ -150,43 +154,25 @@ export class SettingsPanel {
   apply(values) {
     const words = element("settings-words");
     try {
-      this.lab.set({ ...values, ...this.#size(values) });
+      this.lab.set(values);
       setText(words, "");
     } catch (error) {
       this.#key = -1; // the slider goes back
-      setText(
-        words,
-        `Not possible: ${error instanceof Error ? error.message : error}.`,
-      );
+      setText(words, notPossible(error));
     }
     this.changed();
-  }
-
-  /** Another resolution keeps the grid's place in the world. @param {Partial<Settings>} values */
-  #size({ resolution }) {
-    const old = this.lab.world.settings;
-    if (resolution === undefined || resolution === old.resolution) return {};
-    const cells = (/** @type {number} */ count) =>
-      Math.max(1, Math.round((count * old.resolution) / resolution));
-    const [width, height] = [cells(old.width), cells(old.height)];
-    if (width * height > MOST_CELLS) {
-      throw new RangeError(
-        `${width} x ${height} cells are too many for this page`,
-      );
-    }
-    return { width, height };
   }
 
   render() {
     if (this.#key === this.lab.version) return;
     this.#key = this.lab.version;
     const { settings } = this.lab.world;
-    for (const { id, key, unit = "" } of SLIDERS) {
+    for (const { id, key, min, max, unit = "" } of SLIDERS) {
       const value = Number(settings[key]);
       const slider = input(id);
       // values from a file may lie beyond a slider's ends
-      if (value < Number(slider.min)) slider.min = `${value}`;
-      if (value > Number(slider.max)) slider.max = `${value}`;
+      slider.min = `${Math.min(value, min)}`;
+      slider.max = `${Math.max(value, max)}`;
       slider.value = `${value}`;
       setText(
         element(`${id}-value`),

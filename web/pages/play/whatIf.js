@@ -57,33 +57,19 @@ export class WhatIf {
     };
     this.view = new GridCanvas(canvas, redraw);
     this.right = new GridCanvas(byId("right-view", HTMLCanvasElement), redraw);
-    element("switches").append(
-      ...SWITCHES.map((name) => {
-        const mistake = MISTAKES.get(name);
-        if (!mistake) throw new Error(`no mistake ${name}`);
-        const box = make("input", { type: "checkbox", "data-mistake": name });
-        box.addEventListener("change", () => {
-          if (box.checked) lab.mistakes.add(name);
-          else lab.mistakes.delete(name);
-          changed();
-        });
-        return make(
-          "label",
-          {},
-          box,
-          make("span", {}, mistake.title),
-          make("small", {}, mistake.lesson),
-        );
-      }),
-    );
+    this.changed = changed;
+    for (const name of SWITCHES) this.#addSwitch(name);
     const point = (/** @type {Cell | null} */ cell) => {
       this.#cursor = cell;
       this.#key = "";
       changed();
     };
-    canvas.addEventListener("pointermove", (event) =>
-      point(this.view.cellUnder(event)),
-    );
+    for (const name of /** @type {const} */ (["pointermove", "click"])) {
+      // a finger that taps does not move
+      canvas.addEventListener(name, (event) =>
+        point(this.view.cellUnder(event)),
+      );
+    }
     this.view.takeKeys(
       () => this.#cursor,
       point,
@@ -96,6 +82,28 @@ export class WhatIf {
       this.#key = "";
       changed();
     });
+  }
+
+  /** @param {string} name of a mistake */
+  #addSwitch(name) {
+    const { lab, changed } = this;
+    const mistake = MISTAKES.get(name);
+    if (!mistake) throw new Error(`no mistake ${name}`);
+    const box = make("input", { type: "checkbox", "data-mistake": name });
+    box.addEventListener("change", () => {
+      if (box.checked) lab.mistakes.add(name);
+      else lab.mistakes.delete(name);
+      changed();
+    });
+    element("switches").append(
+      make(
+        "label",
+        {},
+        box,
+        make("span", {}, mistake.title),
+        make("small", {}, mistake.lesson),
+      ),
+    );
   }
 
   render() {
@@ -111,6 +119,11 @@ export class WhatIf {
     ].join(" ");
     if (key === this.#key) return;
     this.#key = key;
+    for (const name of lab.mistakes) {
+      // a link can ask for any mistake that the page knows
+      if (!document.querySelector(`[data-mistake="${name}"]`))
+        this.#addSwitch(name);
+    }
     for (const box of document.querySelectorAll("[data-mistake]")) {
       const name = box.getAttribute("data-mistake") ?? "";
       /** @type {HTMLInputElement} */ (box).checked = lab.mistakes.has(name);

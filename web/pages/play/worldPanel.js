@@ -9,6 +9,7 @@ import {
   lacksParameters,
   scenarioText,
 } from "../model/scenarioText.js";
+import { MOST_CELLS } from "../model/settings.js";
 import {
   button,
   byId,
@@ -24,6 +25,11 @@ import { plural } from "../shared/words.js";
 /** @typedef {import("./lab.js").Lab} Lab */
 
 const ENDS = /** @type {const} */ (["x0", "y0", "x1", "y1"]);
+/** So many walls are listed; a table of thousands takes seconds. */
+const MOST_ROWS = 200;
+/** So many times as long as wide may a grid be to be shown. */
+const LONGEST = 40;
+/** The suite's programs take more. */
 const MOST_BYTES = 50000000;
 
 export class WorldPanel {
@@ -75,9 +81,9 @@ export class WorldPanel {
     takeFiles(
       element("drop"),
       input("file"),
+      MOST_BYTES,
       (name, bytes) => this.open(name, bytes),
-      (name) =>
-        setText(element("file-words"), `${name}: cannot be read as a file.`),
+      (name, why) => this.#say(`${name}: cannot be read. ${why}`),
     );
     button("download").addEventListener("click", () =>
       save(`${lab.name}.log`, scenarioText(lab.world)),
@@ -94,25 +100,37 @@ export class WorldPanel {
     });
   }
 
+  /** Says what became of a file, where it can be seen. @param {string} words */
+  #say(words) {
+    const said = element("file-words");
+    const details = said.closest("details");
+    if (details) details.open = true;
+    setText(said, words);
+    said.scrollIntoView({ block: "nearest" });
+  }
+
   /** @param {string} name @param {Uint8Array} bytes */
   open(name, bytes) {
     try {
-      if (bytes.length > MOST_BYTES) {
+      const { world, guessed } = readWorld(name, bytes);
+      const { width, height } = world.settings;
+      const cells = `${name}: ${width} x ${height} cells are`;
+      if (width * height > MOST_CELLS) {
         throw new RangeError(
-          `${name}: more than 50 MB; the suite's programs take it`,
+          `${cells} too many for this page; the suite's programs map them.`,
         );
       }
-      const { world, guessed } = readWorld(name, bytes);
+      if (Math.max(width, height) > LONGEST * Math.min(width, height)) {
+        throw new RangeError(
+          `${cells} too long a strip for this page; the suite's programs map it.`,
+        );
+      }
       this.lab.open(world, name.replace(/\.[^.]+$/, ""));
-      setText(
-        element("file-words"),
+      this.#say(
         `${name}: ${plural(world.scans.length, "scan")}, ${plural(world.walls.length, "wall")}.${guessed ? " The log says nothing of a grid, so this page has chosen one." : ""}`,
       );
     } catch (error) {
-      setText(
-        element("file-words"),
-        error instanceof Error ? error.message : `${error}`,
-      );
+      this.#say(error instanceof Error ? error.message : `${error}`);
     }
     this.changed();
   }
@@ -123,8 +141,14 @@ export class WorldPanel {
     const table = byId("walls", HTMLTableElement);
     const body = table.tBodies[0];
     const { walls } = this.lab.world;
-    while (body.rows.length > walls.length) body.deleteRow(-1);
-    walls.forEach((wall, i) => {
+    const listed = walls.slice(0, MOST_ROWS);
+    const more = walls.length - listed.length;
+    setText(
+      element("more-walls"),
+      more > 0 ? `and ${plural(more, "more wall")}` : "",
+    );
+    while (body.rows.length > listed.length) body.deleteRow(-1);
+    listed.forEach((wall, i) => {
       if (i >= body.rows.length) body.append(wallRow(i));
       ENDS.forEach((end, k) => {
         const field = body.rows[i].querySelectorAll("input")[k];

@@ -19,6 +19,8 @@ const snapped = (value) => Math.round(value * 20) / 20;
 export class WorldView {
   /** @type {Drag | null} */
   #drag = null;
+  /** The pointer that drags. */
+  #pointer = 0;
   /** @type {Segment | null} a wall that is being drawn */
   #drawn = null;
 
@@ -31,6 +33,7 @@ export class WorldView {
     this.view = new GridCanvas(canvas, changed);
     canvas.addEventListener("pointerdown", (event) => this.#down(event));
     canvas.addEventListener("pointermove", (event) => {
+      if (this.#isOther(event)) return;
       const to = this.#point(event);
       if (this.#drag === null) {
         canvas.style.cursor = this.#grab(to) ? "grab" : "crosshair";
@@ -39,9 +42,14 @@ export class WorldView {
       this.#drag(to);
       changed();
     });
-    for (const name of ["pointerup", "pointercancel"]) {
-      canvas.addEventListener(name, () => this.#up());
-    }
+    canvas.addEventListener("pointerup", (event) => {
+      if (!this.#isOther(event)) this.#up();
+    });
+    canvas.addEventListener("pointercancel", (event) => {
+      if (this.#isOther(event)) return;
+      this.#drawn = null; // the browser has taken the drag for something else
+      this.#up();
+    });
     // a finger on the robot drags it; elsewhere it scrolls the page
     canvas.addEventListener(
       "touchstart",
@@ -158,11 +166,17 @@ export class WorldView {
     return null;
   }
 
+  /** Whether a pointer is not the one that drags, as a second finger is not. @param {PointerEvent} event */
+  #isOther(event) {
+    return this.#drag !== null && event.pointerId !== this.#pointer;
+  }
+
   /** @param {PointerEvent} event */
   #down(event) {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || this.#drag !== null) return;
     this.#drag = this.#grab(this.#point(event));
     if (this.#drag === null) return;
+    this.#pointer = event.pointerId;
     this.lab.playing = false;
     this.view.canvas.setPointerCapture(event.pointerId);
     this.view.canvas.style.cursor = "grabbing";

@@ -48,6 +48,28 @@ export function setText(
   if (node.textContent !== text) node.textContent = text;
 }
 
+/** Until a picture that a key has changed has its words. */
+const UNTIL_SAID = 250;
+
+/**
+ * Says what a picture shows after a key has changed it: a description that changes is not read out by itself.
+ *
+ * @param {HTMLElement} picture
+ * @param {HTMLElement} words that describe it
+ * @param {HTMLElement} live what is read out when it changes
+ */
+export function sayAfterKeys(picture, words, live) {
+  let timer = 0;
+  picture.addEventListener("keydown", ({ key }) => {
+    if (!/^(Arrow.*|Escape|[qe])$/i.test(key)) return;
+    window.clearTimeout(timer);
+    timer = window.setTimeout(
+      () => setText(live, words.textContent ?? ""),
+      UNTIL_SAID,
+    );
+  });
+}
+
 /**
  * A function that runs once before the next frame, however often it was asked for.
  *
@@ -106,40 +128,60 @@ export function save(name, text) {
 }
 
 /**
- * A place to drop a file on, and its input.
+ * A place for a file, and its input. A file can be dropped anywhere on the page: beside the place, the browser would open
+ * it and leave the page.
  *
  * @param {HTMLElement} place
  * @param {HTMLInputElement} chooser
+ * @param {number} most bytes
  * @param {(name: string, bytes: Uint8Array) => void} take
- * @param {(name: string) => void} fail gets a file that cannot be read, or a folder
+ * @param {(name: string, why: string) => void} fail gets what cannot be taken
  */
-export function takeFiles(place, chooser, take, fail) {
-  const read = async (/** @type {File | undefined} */ file) => {
+export function takeFiles(place, chooser, most, take, fail) {
+  const read = async (/** @type {FileList | undefined} */ files) => {
+    const [file] = files ?? [];
     if (!file) return;
-    let bytes;
-    try {
-      bytes = new Uint8Array(await file.arrayBuffer());
-    } catch {
-      fail(file.name);
-      return;
+    if (files && files.length > 1) {
+      fail(`${files.length} files`, "This page takes one file at a time.");
+    } else if (file.size > most) {
+      const size = Math.ceil(file.size / 1e6);
+      fail(file.name, `It has ${size} MB; this page takes ${most / 1e6} MB.`);
+    } else {
+      let bytes;
+      try {
+        bytes = new Uint8Array(await file.arrayBuffer());
+      } catch {
+        fail(
+          file.name,
+          "It may be a folder, or a file that has just changed.",
+        );
+        return;
+      }
+      take(file.name, bytes);
     }
-    take(file.name, bytes);
   };
-  chooser.addEventListener("change", () => {
-    read(chooser.files?.[0]);
+  chooser.addEventListener("change", async () => {
+    await read(chooser.files ?? undefined);
     chooser.value = ""; // the same file can be chosen again
   });
-  for (const name of ["dragenter", "dragover"]) {
-    place.addEventListener(name, (event) => {
+  const isFile = (/** @type {DragEvent} */ event) =>
+    event.dataTransfer?.types.includes("Files");
+  for (const name of /** @type {const} */ (["dragenter", "dragover"])) {
+    document.addEventListener(name, (event) => {
+      if (!isFile(event)) return;
       event.preventDefault();
       place.classList.add("over");
     });
   }
-  place.addEventListener("dragleave", () => place.classList.remove("over"));
-  place.addEventListener("drop", (event) => {
+  document.addEventListener("dragleave", (event) => {
+    // from one element to the next it stays over the page
+    if (event.relatedTarget === null) place.classList.remove("over");
+  });
+  document.addEventListener("drop", (event) => {
+    if (!isFile(event)) return;
     event.preventDefault();
     place.classList.remove("over");
-    read(event.dataTransfer?.files[0]);
+    read(event.dataTransfer?.files);
   });
 }
 

@@ -6,6 +6,8 @@ import { ShownWidth } from "./dom.js";
 /** @typedef {{width: number, height: number}} Size in cells */
 /** @typedef {{left: number, right: number, bottom: number, top: number}} Pad how much of the world around the grid is shown, in cells */
 
+/** How much of the window a picture may take, in hundredths of its height. */
+const MOST_OF_HEIGHT = 85;
 /** @type {Pad} */
 const NO_PAD = { left: 0, right: 0, bottom: 0, top: 0 };
 
@@ -47,7 +49,11 @@ export class GridCanvas {
     }
     this.pad = pad;
     const shape = `${columns} / ${rows}`;
-    if (canvas.style.aspectRatio !== shape) canvas.style.aspectRatio = shape;
+    if (canvas.style.aspectRatio !== shape) {
+      canvas.style.aspectRatio = shape;
+      // all of it is seen at a time, however tall it is
+      canvas.style.width = `min(100%, ${MOST_OF_HEIGHT}vh * ${columns} / ${rows})`;
+    }
     const ratio = devicePixelRatio || 1;
     const across = this.#shown.value;
     const down = (across * rows) / columns;
