@@ -137,3 +137,12 @@ def test_a_beam_of_too_many_cells_is_not_followed(open_page: Open) -> None:
     page.wait_for_function("occgridPage.lab.line !== null")
     assert "4 cells" in words(page, "line-words")
     assert page.locator("#line-on").is_enabled()
+
+
+def test_a_resolution_and_back_is_the_same_grid(open_page: Open) -> None:
+    page = open_page("play", "#scan=120")
+    before = page.evaluate(HASH)
+    for resolution in (0.35, 0.15, 0.1):
+        set_value(page, "resolution", resolution)
+    words(page, "map-words")
+    assert page.evaluate(HASH) == before

@@ -280,3 +280,11 @@ def test_keys_in_a_picture_are_read_out(open_page: Open) -> None:
             "said => document.querySelector('#announce').textContent.startsWith(said)",
             arg=said,
         )
+
+
+def test_paper_is_white(open_page: Open) -> None:
+    page = open_page("play", color_scheme="dark")
+    ink = "getComputedStyle(document.body).color"
+    assert page.evaluate(ink) == "rgb(230, 233, 236)"
+    page.emulate_media(media="print", color_scheme="dark")
+    assert page.evaluate(ink) == "rgb(28, 36, 48)"

@@ -12,18 +12,21 @@ export const MOST_CELLS = 4000000;
  * Settings with other values. Another resolution keeps the grid's place in the world.
  *
  * @param {Settings} old
+ * @param {Settings} opened those with the grid's own size: rounded sizes would drift from one resolution to the next
  * @param {Partial<Settings>} values
  * @returns {Settings}
  * @throws {RangeError} where a scenario could not have them, or a page could not draw the grid
  */
-export function changedSettings(old, values) {
+export function changedSettings(old, opened, values) {
   const resolution = values.resolution ?? old.resolution;
   const cells = (/** @type {number} */ count) =>
-    Math.max(1, Math.round((count * old.resolution) / resolution));
+    Math.max(1, Math.round((count * opened.resolution) / resolution));
   const isMoved = resolution !== old.resolution && resolution > 0;
   const settings = new Settings({
     ...old,
-    ...(isMoved ? { width: cells(old.width), height: cells(old.height) } : {}),
+    ...(isMoved
+      ? { width: cells(opened.width), height: cells(opened.height) }
+      : {}),
     ...values,
   });
   const { width, height } = settings;

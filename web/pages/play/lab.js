@@ -148,7 +148,7 @@ export class Lab {
   /** @param {Partial<Settings>} values @throws {RangeError} where they are not possible */
   set(values) {
     const old = this.world.settings;
-    const settings = changedSettings(old, values);
+    const settings = changedSettings(old, this.opened.settings, values);
     const whole = this.beam === this.beams;
     this.world = { ...this.world, settings };
     if (settings.resolution !== old.resolution) {
