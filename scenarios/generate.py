@@ -158,6 +158,29 @@ def saturate() -> str:
     )
 
 
+def clamp_order() -> str:
+    """Beams that hit and cross one cell in one scan, at both clamps; more evidence than a clamp lets count."""
+    hit, cross = ["3"] * 2, ["6"] * 2
+    rows = [
+        [hit, hit, ["3", "6"]],
+        [hit, hit, ["6", "3"]],
+        [hit, hit, cross, cross],
+        [cross, cross, cross, hit, hit],
+        [cross, cross, cross, ["3", "6"]],
+        [cross, cross, cross, ["6", "3"]],
+    ]
+    scans = [
+        _robotlaser1(Pose(0.5, row + 0.5, 0.0), -0.01, 0.02, ranges)
+        for row, evidence in enumerate(rows)
+        for ranges in evidence
+    ]
+    return _text(
+        "Both clamps, with a hit and a crossing of the same cell in one scan: the order of the beams decides.",
+        [*_grid(8, 6, 1.0, 0.0, 0.0, 7.0), *_params(l_min=-3, l_max=2)],
+        scans,
+    )
+
+
 def prior() -> str:
     """A prior that is not one half."""
     ranges = [f"{0.8 + 0.31 * (i % 5):.2f}" for i in range(12)]
@@ -733,6 +756,7 @@ SCENARIOS: dict[str, Callable[[], str]] = {
     "no-return-free": lambda: no_return("free"),
     "no-return-ignore": lambda: no_return("ignore"),
     "saturate": saturate,
+    "clamp-order": clamp_order,
     "prior": prior,
     "asymmetric": asymmetric,
     "flaser": flaser,

@@ -13,6 +13,7 @@ from occgrid_parity.model.line_cells import (
     Lines,
     lines_with,
     reversed_lines,
+    straight_lines,
     supercover_lines,
     walked_lines,
 )
@@ -108,6 +109,31 @@ class BearingsHalfAStepOff(Mapper):
         return -(fov / 2.0) + (fov * (i + 0.5)) / n
 
 
+class BearingsFromZero(Mapper):
+    name = "bearings-from-zero"
+    title = "bearings go from 0 to the field of view"
+    lesson = (
+        "Bearings lie on both sides of the heading: from -fov / 2 to +fov / 2."
+    )
+    where = "section 6.1 (linspace from -fov / 2 to fov / 2)"
+
+    def bearings(self) -> Array:
+        n, fov = self.settings.beams, self.settings.fov
+        i = np.arange(n, dtype=np.float64)
+        return np.zeros(1) if n == 1 else fov * i / (n - 1.0)
+
+
+class CoarseParallel(Mapper):
+    name = "coarse-parallel-test"
+    title = "walls are taken for parallel to a beam too soon: the cross product is compared with more than 1e-12"
+    lesson = (
+        "A wall is parallel to a beam where the cross product of their directions is below 1e-12. With 1e-9 or more, "
+        "a beam passes through a wall that it meets at a very small angle."
+    )
+    where = "section 6.1 (ray_segment_intersection: abs(rxs) < 1e-12)"
+    parallel = 1e-9
+
+
 class OneBeamFewer(Mapper):
     name = "one-beam-fewer"
     title = "a simulated scan has one beam less than the scenario says"
@@ -161,6 +187,65 @@ class NoMargin(Mapper):
         z = np.where(hit, ranges, s.max_range)
         used = hit if s.no_return == "ignore" else ~np.isnan(ranges)
         return z, hit, used
+
+
+class WideMargin(Mapper):
+    name = "max-range-wide-margin"
+    title = "a range just below the maximum is taken for no return: the margin is more than 1e-12"
+    lesson = (
+        "A range is a hit below z_max - 1e-12. That margin is for last bits; with 1e-6 or more, hits close to the "
+        "maximum range are lost."
+    )
+    where = "section 6.1 (update_grid_from_scan: z_max - 1e-12)"
+
+    def read(self, ranges: Array) -> tuple[Array, Mask, Mask]:
+        s = self.settings
+        hit = ranges < s.max_range - 1e-6
+        z = np.where(hit, ranges, s.max_range)
+        used = hit if s.no_return == "ignore" else ~np.isnan(ranges)
+        return z, hit, used
+
+
+class EndFromRobotsCell(Mapper):
+    name = "end-counted-from-robot-cell"
+    title = "the cells to the end are counted from the robot's cell"
+    lesson = (
+        "The end is a point of the world, and its cell is found like the robot's. Where floor(z cos(a) / r) is added "
+        "to the robot's cell, the robot's place within its cell is lost."
+    )
+    where = "section 4, second flow chart; 6.1 (world_to_grid of ex, ey)"
+
+    def endpoint(
+        self, pose: Pose, beam: Array, z: Array
+    ) -> tuple[Array, Array]:
+        dx, dy = super().endpoint(Pose(0.0, 0.0, 0.0), beam, z)
+        r = self.settings.resolution
+        x, y = _centre(self, pose)
+        return x + np.floor(dx / r) * r, y + np.floor(dy / r) * r
+
+
+class FromTheCentre(Mapper):
+    name = "beam-from-cell-centre"
+    title = "beams start at the centre of the robot's cell"
+    lesson = "A beam starts where the robot is, not at the centre of the cell it stands in: its end moves by as much."
+    where = "section 4, second flow chart"
+
+    def endpoint(
+        self, pose: Pose, beam: Array, z: Array
+    ) -> tuple[Array, Array]:
+        dx, dy = super().endpoint(Pose(0.0, 0.0, 0.0), beam, z)
+        x, y = _centre(self, pose)
+        return x + dx, y + dy
+
+
+def _centre(mapper: Mapper, pose: Pose) -> tuple[Array, Array]:
+    """Of the cell in which the robot stands; a number for each beam where the pose has arrays."""
+    s = mapper.settings
+    gx, gy = mapper.to_grid(np.asarray(pose.x), np.asarray(pose.y))
+    return (
+        s.origin_x + (gx + 0.5) * s.resolution,
+        s.origin_y + (gy + 0.5) * s.resolution,
+    )
 
 
 class NoReturnNotFreed(Mapper):
@@ -334,6 +419,47 @@ class RealLine(Mapper):
         return lines_with(minor, gx0, gy0, gx1, gy1)
 
 
+class RoundedCells(Mapper):
+    name = "rounded-cells"
+    title = "points on the line are rounded, halves to even cells"
+    lesson = (
+        "The line is Bresenham's, in whole numbers; a straight line whose points are rounded, as with np.linspace and "
+        "round, goes elsewhere at ties."
+    )
+    where = LINE
+
+    def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
+        return straight_lines(np.rint, gx0, gy0, gx1, gy1)
+
+
+class RoundedCellsUp(Mapper):
+    name = "rounded-cells-up"
+    title = "points on the line are rounded, halves up"
+    lesson = (
+        "The line is Bresenham's, in whole numbers; a straight line whose points are rounded, as with floor(x + 0.5), "
+        "goes elsewhere at ties."
+    )
+    where = LINE
+
+    def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
+        return straight_lines(lambda v: np.floor(v + 0.5), gx0, gy0, gx1, gy1)
+
+
+class FromTheLesserEnd(Mapper):
+    name = "line-from-the-lesser-end"
+    title = "the line is computed so that its longer axis grows"
+    lesson = (
+        "The line is computed from the robot to the end. The version that swaps the ends where the longer axis would "
+        "go down draws other cells at ties."
+    )
+    where = LINE
+
+    def lines(self, gx0: Cells, gy0: Cells, gx1: Cells, gy1: Cells) -> Lines:
+        steep = np.abs(gy1 - gy0) > np.abs(gx1 - gx0)
+        turned = np.where(steep, gy0 > gy1, gx0 > gx1)
+        return reversed_lines(turned, gx0, gy0, gx1, gy1)
+
+
 class FromTheLeft(Mapper):
     name = "line-from-the-left"
     title = "the line is computed from its left end"
@@ -392,10 +518,15 @@ MISTAKES: tuple[type[Mapper], ...] = (
     SineAndCosineSwapped,
     LastBearingMissing,
     BearingsHalfAStepOff,
+    BearingsFromZero,
+    CoarseParallel,
     OneBeamFewer,
     LastBeamLeftOut,
     MaxRangeOccupied,
     NoMargin,
+    WideMargin,
+    EndFromRobotsCell,
+    FromTheCentre,
     NoReturnNotFreed,
     NoReturnAlwaysFreed,
     NoReturnEndNotFreed,
@@ -409,6 +540,9 @@ MISTAKES: tuple[type[Mapper], ...] = (
     TiesAtEqualityInX,
     TiesAtEqualityInY,
     RealLine,
+    RoundedCells,
+    RoundedCellsUp,
+    FromTheLesserEnd,
     FromTheLeft,
     FromTheEnd,
     Supercover,

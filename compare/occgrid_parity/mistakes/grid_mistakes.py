@@ -149,10 +149,11 @@ class FloorDivision(Mapper):
 
 class Reciprocal(Mapper):
     name = "index-by-reciprocal"
-    title = "the distance is multiplied by 1 / resolution"
+    title = "the distance is multiplied by 1 / resolution, or something is added to the quotient before it is cut"
     lesson = (
-        "The distance is divided by the resolution. The reciprocal is rounded, too, so the product can have another "
-        "last bit than the quotient, and a point on a cell edge then falls into the other cell."
+        "The index is the floor of the quotient itself. The reciprocal is rounded, too, so the product can have "
+        "another last bit than the quotient; so can a sum, as in int(q + 1000) - 1000 or floor(q + 1e-9). A point on "
+        "a cell edge then falls into the other cell."
     )
     where = INDEX + "; SPEC.md section 1"
 
@@ -161,6 +162,22 @@ class Reciprocal(Mapper):
         per_metre = 1.0 / s.resolution
         gx = self.index((x - s.origin_x) * per_metre)
         gy = self.index((y - s.origin_y) * per_metre)
+        return gx.astype(np.int64), gy.astype(np.int64)
+
+
+class DividedApart(Mapper):
+    name = "index-by-difference"
+    title = "position and origin are divided by the resolution one by one"
+    lesson = (
+        "The origin is subtracted first, then the distance is divided. Two quotients, x / r - o_x / r, are rounded "
+        "each, and a point on a cell edge can fall into the other cell."
+    )
+    where = INDEX + "; SPEC.md section 1"
+
+    def to_grid(self, x: Array, y: Array) -> tuple[Cells, Cells]:
+        s, r = self.settings, self.settings.resolution
+        gx = self.index(x / r - s.origin_x / r)
+        gy = self.index(y / r - s.origin_y / r)
         return gx.astype(np.int64), gy.astype(np.int64)
 
 
@@ -249,6 +266,7 @@ MISTAKES: tuple[type[Mapper], ...] = (
     IndexRoundedHalfEven,
     FloorDivision,
     Reciprocal,
+    DividedApart,
     OriginIgnored,
     NegativeIndexWraps,
     RobotOutsideSkipped,

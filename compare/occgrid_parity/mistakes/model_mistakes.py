@@ -109,6 +109,61 @@ class ClampWithoutLower(Mapper):
         return np.minimum(log_odds, self.settings.l_max)
 
 
+class ClampPerScan(Mapper):
+    name = "clamp-once-per-scan"
+    title = "log-odds are clamped once per scan, after all of its updates"
+    lesson = (
+        "Each update is clamped at once. Where a scan's updates are added up first, as with np.add.at, a cell at its "
+        "limit can be hit and crossed in one scan and stay there, although the crossing came last."
+    )
+    where = CLAMP + "; 6.1 (update_cell_logodds clamps each update)"
+
+    def clamp(self, log_odds: Array) -> Array:
+        return log_odds
+
+    def apply(self, log_odds: Array, traced: Traced) -> None:
+        for scan in np.unique(traced.scan):
+            super().apply(log_odds, traced.where(traced.scan == scan))
+            log_odds[:] = super().clamp(log_odds)
+
+
+class ClampBefore(Mapper):
+    name = "clamp-before-update"
+    title = "log-odds are clamped before an update, not after it"
+    lesson = "The result of each update is clamped. Clamped before, the last update can lead beyond the limits."
+    where = CLAMP + "; 6.1 (update_cell_logodds)"
+
+    def updated(self, log_odds: Array, steps: Array) -> Array:
+        return self.clamp(log_odds) + steps
+
+
+class StopsAtLimit(Mapper):
+    name = "stops-at-limit"
+    title = "a cell that has reached a limit is not updated any more"
+    lesson = (
+        "A limit stops evidence that goes beyond it, and no other: a cell at l_max that a beam crosses becomes less "
+        "certain again."
+    )
+    where = CLAMP
+
+    def updated(self, log_odds: Array, steps: Array) -> Array:
+        s = self.settings
+        inside = (log_odds > s.l_min) & (log_odds < s.l_max)
+        return np.where(inside, super().updated(log_odds, steps), log_odds)
+
+
+class SkippedAtLimit(Mapper):
+    name = "update-beyond-limit-skipped"
+    title = "an update that would lead beyond a limit is left out"
+    lesson = "An update that leads beyond a limit brings the cell to the limit; left out, the cell stays short of it."
+    where = CLAMP
+
+    def updated(self, log_odds: Array, steps: Array) -> Array:
+        s = self.settings
+        new = log_odds + steps
+        return np.where((new < s.l_min) | (new > s.l_max), log_odds, new)
+
+
 class LimitsOfTen(Mapper):
     name = "limits-of-ten"
     title = "log-odds are clamped at -10 and 10, whatever the scenario says"
@@ -179,6 +234,49 @@ def _span(cells: Cells) -> tuple[int, int]:
     """How many numbers there are from the least to the largest, and the least."""
     low = int(np.min(cells, initial=0))
     return int(np.max(cells, initial=0)) - low + 1, low
+
+
+class OncePerScanEachKind(Mapper):
+    name = "once-per-scan-each-kind"
+    title = "each cell is updated at most twice per scan: once as free, then once as occupied"
+    lesson = (
+        "The lesson's flow chart updates the cells beam by beam: a cell that several beams of one scan cross gets "
+        "several updates. NumPy's log_odds[gy, gx] += d counts an index that is there twice only once; np.add.at "
+        "counts it twice."
+    )
+    where = "section 4, second flow chart"
+
+    def within_scan(self, traced: Traced) -> Traced:
+        key = 2 * _keys(traced) + traced.occupied
+        _, first = np.unique(key, return_index=True)
+        return traced.where(first)
+
+
+class FreeThenOccupied(Mapper):
+    name = "free-before-occupied"
+    title = "a scan's free cells are updated first, then its hits"
+    lesson = (
+        "The lesson's flow chart goes beam by beam. In another order, a cell at its limit that one beam hits and "
+        "another crosses ends with another value."
+    )
+    where = "section 4, second flow chart"
+
+    def within_scan(self, traced: Traced) -> Traced:
+        return traced.where(np.lexsort((traced.occupied, traced.scan)))
+
+
+class BeamsReversed(Mapper):
+    name = "beams-in-reverse-order"
+    title = "the beams of a scan are taken from the last to the first"
+    lesson = (
+        "Beams are taken in their order. In another one, a cell at its limit that one beam hits and another crosses "
+        "ends with another value."
+    )
+    where = "section 4, second flow chart; SPEC.md section 2.5"
+
+    def within_scan(self, traced: Traced) -> Traced:
+        last_first = -np.arange(traced.scan.size)
+        return traced.where(np.lexsort((last_first, traced.scan)))
 
 
 class ExpOfReducedArgument(Mapper):
@@ -276,10 +374,17 @@ MISTAKES: tuple[type[Mapper], ...] = (
     NoClamp,
     ClampAtEnd,
     ClampWithoutLower,
+    ClampPerScan,
+    ClampBefore,
+    StopsAtLimit,
+    SkippedAtLimit,
     LimitsOfTen,
     LimitsOfEight,
     OncePerScan,
     OncePerScanOccupiedWins,
+    OncePerScanEachKind,
+    FreeThenOccupied,
+    BeamsReversed,
     ExpOfReducedArgument,
     PictureInverted,
     PixelHalfEven,

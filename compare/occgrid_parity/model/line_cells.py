@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from occgrid_parity.model.array_types import Cells, Mask
+from occgrid_parity.model.array_types import Array, Cells, Mask
 
 Minor = Callable[[Cells, Cells, Cells], Cells]
 """minor(k, a, b): cells gone along the shorter axis after k along the longer."""
@@ -61,6 +61,23 @@ def lines_with(
     gx = gx0[line] + sx[line] * np.where(along_x, k, m)
     gy = gy0[line] + sy[line] * np.where(along_x, m, k)
     return Lines(line, gx, gy, k == a[line])
+
+
+def straight_lines(
+    rounded: Callable[[Array], Array],
+    gx0: Cells,
+    gy0: Cells,
+    gx1: Cells,
+    gy1: Cells,
+) -> Lines:
+    """Points of the straight line, one for each step along the longer axis, ``rounded`` to cells."""
+    dx, dy = gx1 - gx0, gy1 - gy0
+    a = np.maximum(np.abs(dx), np.abs(dy))
+    line, k = _steps(a + 1)
+    most = np.maximum(a, 1)[line]
+    gx = rounded(gx0[line] + dx[line] * k / most)
+    gy = rounded(gy0[line] + dy[line] * k / most)
+    return Lines(line, gx.astype(np.int64), gy.astype(np.int64), k == a[line])
 
 
 Step = Callable[[Cells, Cells, Cells], tuple[Mask, Mask]]

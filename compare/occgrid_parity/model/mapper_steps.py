@@ -171,13 +171,18 @@ def _whole_scans(numbers: Cells, cells: Cells) -> Iterator[slice]:
 
 
 def meeting(
-    x: float | Array, y: float | Array, rdx: Array, rdy: Array, wall: Segment
+    x: float | Array,
+    y: float | Array,
+    rdx: Array,
+    rdy: Array,
+    wall: Segment,
+    least: float = 1e-12,
 ) -> tuple[Array, Mask]:
     """How far rays from points (metres) go to a wall's line, and which of them meet the wall (3.2)."""
     sx, sy = wall.x1 - wall.x0, wall.y1 - wall.y0
     qpx, qpy = wall.x0 - x, wall.y0 - y
     rxs = rdx * sy - rdy * sx
-    parallel = np.abs(rxs) < 1e-12
+    parallel = np.abs(rxs) < least
     rxs = np.where(parallel, 1.0, rxs)
     t = (qpx * sy - qpy * sx) / rxs
     u = (qpx * rdy - qpy * rdx) / rxs
@@ -192,6 +197,7 @@ def _cast(
     beams: bytes,
     z_max: float,
     numbers: Arithmetic,
+    least: float,
 ) -> Array:
     """Ranges (k, n) from points x, y along n directions each (3.2); kept, since most mistakes see the same ranges."""
     x, y = np.frombuffer(points).reshape(2, -1, 1)
@@ -199,7 +205,7 @@ def _cast(
     rdx, rdy = (values.reshape(len(x), -1) for values in flat)
     nearest = np.full(rdx.shape, np.inf)
     for wall in walls:
-        t, meets = meeting(x, y, rdx, rdy, wall)
+        t, meets = meeting(x, y, rdx, rdy, wall, least)
         nearest = np.where(meets & (t < nearest), t, nearest)
     ranges = np.where(nearest <= z_max, nearest, z_max)
     ranges.setflags(write=False)
@@ -213,6 +219,8 @@ class Mapper:
     title: ClassVar[str] = "no mistake"
     lesson: ClassVar[str] = ""
     where: ClassVar[str] = ""
+    parallel: ClassVar[float] = 1e-12
+    """The cross product of direction and wall below which they are parallel."""
 
     def __init__(
         self,
@@ -276,6 +284,10 @@ class Mapper:
         s = self.settings
         return np.minimum(np.maximum(log_odds, s.l_min), s.l_max)
 
+    def updated(self, log_odds: Array, steps: Array) -> Array:
+        """After one update."""
+        return self.clamp(log_odds + steps)
+
     def finish(self, log_odds: Array) -> Array:
         """After the last scan."""
         return log_odds
@@ -294,7 +306,9 @@ class Mapper:
         points = np.array([pose.x, pose.y]).tobytes()
         walls = tuple(self.world.walls)
         z_max = self.settings.max_range
-        ranges = _cast(walls, points, beams.tobytes(), z_max, self.numbers)
+        ranges = _cast(
+            walls, points, beams.tobytes(), z_max, self.numbers, self.parallel
+        )
         return ranges.reshape(shape)
 
     def simulated(self, angles: Array) -> Iterator[Array]:
@@ -456,7 +470,7 @@ class Mapper:
         values = log_odds[touched]
         reached = np.searchsorted(-counts, -np.arange(counts[0]), side="left")
         for j, n in enumerate(reached.tolist()):
-            values[:n] = self.clamp(values[:n] + steps[starts[:n] + j])
+            values[:n] = self.updated(values[:n], steps[starts[:n] + j])
         log_odds[touched] = values
 
     # --- the files (2.6, 7) ---

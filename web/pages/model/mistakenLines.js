@@ -38,6 +38,25 @@ export function lineWith(minor) {
 }
 
 /**
+ * Points of the straight line, one for each step along the longer axis, rounded to cells.
+ *
+ * @param {(v: number) => number} rounded
+ * @returns {(from: Cell, to: Cell) => Line}
+ */
+export function straightLine(rounded) {
+  return (from, to) => {
+    const dx = to.gx - from.gx;
+    const dy = to.gy - from.gy;
+    const a = Math.max(Math.abs(dx), Math.abs(dy));
+    const cells = Array.from({ length: a + 1 }, (_, k) => ({
+      gx: rounded(from.gx + (dx * k) / Math.max(a, 1)),
+      gy: rounded(from.gy + (dy * k) / Math.max(a, 1)),
+    }));
+    return { cells, last: a };
+  };
+}
+
+/**
  * The lesson's loop with other conditions. A line that misses its end is given up after twice as many steps as all lines
  * of its scan should need, and has no last cell.
  *

@@ -27,6 +27,11 @@ function allCells(line, hit) {
   return line.cells.map((_, k) => [k, hit && k === line.last]);
 }
 
+/** @param {number} l */
+function unchanged(l) {
+  return l;
+}
+
 /** The updates of one scan, before they are applied. @param {Update[]} updates @returns {Update[]} */
 function allUpdates(updates) {
   return updates;
@@ -42,6 +47,7 @@ export function contractSteps({ settings, walls, scans }) {
   const steps = {
     settings,
     scans,
+    walls,
 
     // --- the model (2.2) ---
     logit,
@@ -52,6 +58,11 @@ export function contractSteps({ settings, walls, scans }) {
       return [steps.logit(s.pFree) - l0, steps.logit(s.pOcc) - l0];
     },
     clamp: (/** @type {number} */ l) => Math.min(Math.max(l, s.lMin), s.lMax),
+    /** After one update. */
+    updated: (/** @type {number} */ l, /** @type {number} */ delta) =>
+      steps.clamp(l + delta),
+    /** After all updates of a scan. */
+    afterScan: unchanged,
     /** After the last scan. */
     finish: (/** @type {number} */ l) => l,
 
@@ -192,10 +203,15 @@ export class MistakenMapper {
   add(logOdds, number) {
     const { steps } = this;
     const [free, occupied] = steps.deltas();
+    /** @type {Set<number>} */
+    const touched = new Set();
+    const isKept = steps.afterScan !== unchanged;
     for (const update of this.updates(number)) {
       const at = update >> 1;
-      logOdds[at] = steps.clamp(logOdds[at] + (update & 1 ? occupied : free));
+      logOdds[at] = steps.updated(logOdds[at], update & 1 ? occupied : free);
+      if (isKept) touched.add(at);
     }
+    for (const at of touched) logOdds[at] = steps.afterScan(logOdds[at]);
   }
 
   /**

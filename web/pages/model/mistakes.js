@@ -6,11 +6,12 @@
 import catalogue from "docs:mistakes";
 import { philox4x32 } from "../../src/noise.js";
 import { cos, exp, log, PI, sin } from "../../src/portableMath.js";
-import { Pose } from "../../src/world.js";
+import { Pose, raySegmentIntersection } from "../../src/world.js";
 import {
   lineFromEnd,
   lineWith,
   roundHalfEven,
+  straightLine,
   supercover,
   walkedLine,
 } from "./mistakenLines.js";
@@ -59,6 +60,16 @@ function deviateOf(
     const u1 = (words[first] + part) / 4294967296;
     const u2 = (words[second] + part) / 4294967296;
     return Math.sqrt(-2 * log(u1)) * angle(2 * PI * u2);
+  };
+}
+
+/** Of the cell in which the robot stands. @param {Steps} m @param {Pose} pose */
+function centre(m, { x, y }) {
+  const { gx, gy } = m.toGrid(x, y);
+  const { originX, originY, resolution } = m.settings;
+  return {
+    x: originX + (gx + 0.5) * resolution,
+    y: originY + (gy + 0.5) * resolution,
   };
 }
 
@@ -148,6 +159,13 @@ const PLANTED = {
       gy: m.index((y - originY) * perMetre),
     });
   },
+  "index-by-difference": (m) => {
+    const { resolution: r, originX, originY } = m.settings;
+    m.toGrid = (x, y) => ({
+      gx: m.index(x / r - originX / r),
+      gy: m.index(y / r - originY / r),
+    });
+  },
   "origin-ignored": (m) => {
     const { resolution } = m.settings;
     m.toGrid = (x, y) => ({
@@ -225,6 +243,26 @@ const PLANTED = {
         (_, i) => -(fov / 2) + (fov * (i + 0.5)) / beams,
       );
   },
+  "bearings-from-zero": (m) => {
+    const { fov, beams } = m.settings;
+    m.bearings = () =>
+      new Float64Array(beams).map((_, i) =>
+        beams === 1 ? 0 : (fov * i) / (beams - 1),
+      );
+  },
+  "coarse-parallel-test": (m) => {
+    m.cast = ({ x, y }, direction) => {
+      const rdx = cos(direction);
+      const rdy = sin(direction);
+      const met = m.walls
+        .filter(
+          ({ x0, y0, x1, y1 }) =>
+            Math.abs(rdx * (y1 - y0) - rdy * (x1 - x0)) >= 1e-9,
+        )
+        .map((wall) => raySegmentIntersection(x, y, rdx, rdy, wall));
+      return Math.min(m.settings.maxRange, ...met);
+    };
+  },
   "one-beam-fewer": (m) => {
     const { fov, beams } = m.settings;
     if (beams < 3) return;
@@ -252,6 +290,33 @@ const PLANTED = {
       const hit = range < maxRange;
       const used = noReturn === "ignore" ? hit : !Number.isNaN(range);
       return { z: hit ? range : maxRange, hit, used };
+    };
+  },
+  "max-range-wide-margin": (m) => {
+    const { maxRange, noReturn } = m.settings;
+    m.read = (range) => {
+      const hit = range < maxRange - 1e-6;
+      const used = noReturn === "ignore" ? hit : !Number.isNaN(range);
+      return { z: hit ? range : maxRange, hit, used };
+    };
+  },
+  "end-counted-from-robot-cell": (m) => {
+    const { endpoint } = m;
+    const { resolution } = m.settings;
+    m.endpoint = (pose, direction, z) => {
+      const moved = endpoint(new Pose(0, 0, 0), direction, z);
+      const { x, y } = centre(m, pose);
+      return {
+        x: x + Math.floor(moved.x / resolution) * resolution,
+        y: y + Math.floor(moved.y / resolution) * resolution,
+      };
+    };
+  },
+  "beam-from-cell-centre": (m) => {
+    const { endpoint } = m;
+    m.endpoint = (pose, direction, z) => {
+      const { x, y } = centre(m, pose);
+      return endpoint(new Pose(x, y, pose.theta), direction, z);
     };
   },
   "no-return-not-freed": (m) => {
@@ -321,6 +386,20 @@ const PLANTED = {
   "rounded-line": (m) => {
     m.line = lineWith((k, a, b) => roundHalfEven((k * b) / a));
   },
+  "rounded-cells": (m) => {
+    m.line = straightLine(roundHalfEven);
+  },
+  "rounded-cells-up": (m) => {
+    m.line = straightLine((v) => Math.floor(v + 0.5));
+  },
+  "line-from-the-lesser-end": (m) => {
+    const { line } = m;
+    m.line = (from, to, most) => {
+      const isSteep = Math.abs(to.gy - from.gy) > Math.abs(to.gx - from.gx);
+      const isTurned = isSteep ? from.gy > to.gy : from.gx > to.gx;
+      return isTurned ? lineFromEnd(from, to) : line(from, to, most);
+    };
+  },
   "line-from-the-left": (m) => {
     const { line } = m;
     m.line = (from, to, most) =>
@@ -373,6 +452,23 @@ const PLANTED = {
   "no-lower-clamp": (m) => {
     m.clamp = (l) => Math.min(l, m.settings.lMax);
   },
+  "clamp-once-per-scan": (m) => {
+    m.afterScan = m.clamp;
+    m.updated = (l, delta) => l + delta;
+  },
+  "clamp-before-update": (m) => {
+    m.updated = (l, delta) => m.clamp(l) + delta;
+  },
+  "stops-at-limit": (m) => {
+    const { updated } = m;
+    const { lMin, lMax } = m.settings;
+    m.updated = (l, delta) => (l > lMin && l < lMax ? updated(l, delta) : l);
+  },
+  "update-beyond-limit-skipped": (m) => {
+    const { lMin, lMax } = m.settings;
+    m.updated = (l, delta) =>
+      l + delta < lMin || l + delta > lMax ? l : l + delta;
+  },
   "limits-of-ten": (m) => {
     m.clamp = (l) => Math.min(Math.max(l, -10), 10);
   },
@@ -388,6 +484,21 @@ const PLANTED = {
         ...updates.filter(({ occupied }) => occupied),
         ...updates.filter(({ occupied }) => !occupied),
       ]);
+  },
+  "once-per-scan-each-kind": (m) => {
+    m.withinScan = (updates) => [
+      ...firstOfEach(updates.filter(({ occupied }) => !occupied)),
+      ...firstOfEach(updates.filter(({ occupied }) => occupied)),
+    ];
+  },
+  "free-before-occupied": (m) => {
+    m.withinScan = (updates) => [
+      ...updates.filter(({ occupied }) => !occupied),
+      ...updates.filter(({ occupied }) => occupied),
+    ];
+  },
+  "beams-in-reverse-order": (m) => {
+    m.withinScan = (updates) => [...updates].reverse();
   },
   "exp-of-reduced-argument": (m) => {
     const ln2 = Math.LN2;
