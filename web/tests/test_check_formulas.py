@@ -18,6 +18,7 @@ from occgrid.sensor import Scan
 from occgrid.world import Pose
 
 Values = npt.NDArray[np.float64]
+Cells = npt.NDArray[np.int64]
 
 
 class Lesson(Mapper):
@@ -70,6 +71,12 @@ class Wrapped(Lesson):
         return np.fmod(theta + angles, 2.0 * math.pi)
 
 
+class Scaled(Lesson):
+    def to_grid(self, x: Values, y: Values) -> tuple[Cells, Cells]:
+        gx, gy = np.floor(x * 10.0 + 110.0), np.floor(y * 10.0 + 90.0)
+        return gx.astype(np.int64), gy.astype(np.int64)
+
+
 def picture(
     program: type[Mapper], numbers: arithmetic.Arithmetic
 ) -> npt.NDArray[np.int64]:
@@ -104,6 +111,19 @@ def test_other_formulas_are_right_and_are_named_as_in_the_full_check(
     pixels = picture(program, arithmetic.PLATFORM)
     status, words = verdict(page, write_pgm(tmp_path / "b.pgm", pixels))
     assert status == "edges", words
+
+
+def test_a_formula_that_is_right_on_the_lesson_only_is_not_called_as_right(
+    open_page: Open, tmp_path: Path
+) -> None:
+    pixels = picture(Scaled, arithmetic.PORTABLE)
+    page = open_check(open_page)
+    status, words = verdict(page, write_pgm(tmp_path / "a.pgm", pixels))
+    assert status == "edges"
+    for said in (words, full_words("lesson", pixels)):
+        assert "cells: x / resolution - origin / resolution" in said
+        assert "as right as" not in said
+        assert "write (x - origin) / resolution" in said
 
 
 @pytest.mark.parametrize("scan", [50, 105])

@@ -165,11 +165,17 @@ the other; as the share of a ray that is as long as the maximum range."""
 
 CELLS: Mapping[str, Callable[[Array, float, float], Array]] = {
     "(x - origin) / resolution": lambda v, o, r: np.floor((v - o) / r),
-    "(x - origin) (1 / resolution)": lambda v, o, r: np.floor(
-        (v - o) * (1.0 / r)
+    "x / resolution - origin / resolution": lambda v, o, r: np.floor(
+        v / r - o / r
     ),
 }
-"""The cell of a coordinate v, of the grid's origin o and resolution r."""
+"""The cell of a coordinate v, of the grid's origin o and resolution r.
+
+The difference of quotients is as right as the quotient only for coordinates with rounding errors of their own. A pose
+from a file has none: exactly on a cell edge, the difference can give the cell beside it, which is the mistake
+index-by-difference.
+A product with 1 / resolution draws nothing else on the lesson's grid, where that is exactly 10.
+"""
 
 FUNCTIONS: Mapping[str, Arithmetic] = {
     "the reference's": PORTABLE,

@@ -135,6 +135,16 @@ class FromTheFirst(Lesson):
         return np.array(bearings)
 
 
+class Scaled(Lesson):
+    """Coordinates in cells first, then the grid's corner."""
+
+    def to_grid(
+        self, x: np.ndarray, y: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        gx, gy = np.floor(x * 10.0 + 110.0), np.floor(y * 10.0 + 90.0)
+        return gx.astype(np.int64), gy.astype(np.int64)
+
+
 def compared_lesson(program: type[Lesson]) -> Compared:
     one: Case = built_in()
     drawn = program(world_of(one), None, PLATFORM).draw()
@@ -162,6 +172,18 @@ def test_a_right_program_with_other_formulas_is_right_and_they_are_named(
     assert named in "; ".join(other_formulas(compared.formulas))
     assert named in compared_words(compared)
     assert compared.edge_beams
+
+
+def test_a_formula_that_is_right_on_the_lesson_only_is_not_called_as_right() -> (
+    None
+):
+    """On scenarios with poses on an edge it is the mistake index-by-difference."""
+    compared = compared_lesson(Scaled)
+    assert compared.status == "edges"
+    words = compared_words(compared)
+    assert "cells: x / resolution - origin / resolution" in words
+    assert "as right as" not in words
+    assert "write (x - origin) / resolution" in words
 
 
 def without(program: type[Lesson], scan: int, beam: int) -> type[Lesson]:

@@ -14,6 +14,7 @@ import {
   tryMistakes,
 } from "../model/compareMaps.js";
 import { explainByRounding } from "../model/explainByRounding.js";
+import { CONTRACT, STEPS } from "../model/rightFormulas.js";
 import { saying } from "../model/steps.js";
 import { counted, plural } from "../shared/words.js";
 
@@ -151,14 +152,18 @@ function missing({ what, number }, formulas) {
     `It is exactly the right map without ${what} ${number + 1}${what === "beam" ? " of every scan" : ""} (${what} ${number} if the first is 0).`,
   ];
   if (formulas.length > 0) {
-    words.push(`Your program draws it ${asRight(formulas)}.`);
+    words.push(`Your program draws it ${withFormulas(formulas)}`);
   }
   return words;
 }
 
-/** @param {string[]} formulas */
-function asRight(formulas) {
-  return `with formulas that are as right as the contract's (${formulas.join("; ")})`;
+/** With which formulas, and whether they are right elsewhere, too. @param {string[]} formulas */
+function withFormulas(formulas) {
+  const named = formulas.join("; ");
+  if (!formulas.some((one) => one.startsWith(`${STEPS.cell}: `))) {
+    return `with formulas that are as right as the contract's (${named}).`;
+  }
+  return `with other formulas (${named}). They are right on this map, but where a pose lies exactly on a cell's edge, this one for the cell can give the cell beside it: write ${CONTRACT.cell}.`;
 }
 
 /** @param {Explanation} explained @param {number} count */
@@ -184,7 +189,7 @@ function rounding({ kind, turned, halves, formulas }, count) {
       `differs in ${plural(count, "cell")}, only at cell edges`,
       `${plural(turned.length, "beam ends", "beams end")} so close to a cell's edge that the last bits of a sine decide the cell. Put on the other side, they draw exactly your picture: ${named.join("; ")}${more > 0 ? `; and ${more} more` : ""}.${halves ? ` In ${plural(halves, "cell")} the last bit of exp or log decides the level.` : ""}`,
       ...(formulas.length > 0
-        ? [`The right program draws your picture ${asRight(formulas)}.`]
+        ? [`The right program draws your picture ${withFormulas(formulas)}`]
         : []),
       "Your program may be right. It is equal to the others in every bit only with the contract's own formulas, sine and cosine.",
     ],

@@ -64,10 +64,16 @@ export const ALONG_AXIS = "along x or y";
 /** Of a ray that is as long as the maximum range. */
 export const SHARE = "a share of the maximum range";
 
-/** The cell of a coordinate v, of the grid's origin o and resolution r. @type {Record<string, (v: number, o: number, r: number) => number>} */
+/**
+ * The cell of a coordinate v, of the grid's origin o and resolution r. The difference of quotients is as right as the
+ * quotient only for coordinates that have rounding errors themselves; a pose from a file has none.
+ *
+ * @type {Record<string, (v: number, o: number, r: number) => number>}
+ */
 export const CELLS = {
   "(x - origin) / resolution": (v, o, r) => Math.floor((v - o) / r),
-  "(x - origin) (1 / resolution)": (v, o, r) => Math.floor((v - o) * (1 / r)),
+  "x / resolution - origin / resolution": (v, o, r) =>
+    Math.floor(v / r - o / r),
 };
 
 /** @type {Record<string, Functions>} */
@@ -98,7 +104,7 @@ export const CHOICES = {
 };
 
 /** What each formula computes. @type {Record<Step, string>} */
-const STEPS = {
+export const STEPS = {
   heading: "the robot's angle on the ellipse",
   bearing: "bearings",
   seen: "directions in which ranges are simulated",
