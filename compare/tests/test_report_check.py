@@ -86,6 +86,7 @@ def test_what_cannot_be_asked_is_worth_nothing() -> None:
         "its file is a picture of the right size",
         "orientation (the eight symmetries)",
         "how much a hit and a crossing add (p_occ, p_free)",
+        "how grey values are rounded",
         "how the log-odds file writes its numbers",
         "the lesson",
     }

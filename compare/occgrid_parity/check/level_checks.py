@@ -21,7 +21,11 @@ from occgrid_parity.check.levels import (
     chosen_runs,
     level_runs,
 )
-from occgrid_parity.check.own_numbers import check_added, check_log_odds
+from occgrid_parity.check.own_numbers import (
+    check_added,
+    check_log_odds,
+    check_rounding,
+)
 from occgrid_parity.check.program_maps import ComparedMap, NoMap, ProgramMaps
 from occgrid_parity.check.verdict import CaseResult, Level, LevelStatus
 from occgrid_parity.check.yaml_level import check_yaml
@@ -175,8 +179,8 @@ class LevelChecks:
         self._add(ORIENTATION, "failed", "orientation", message)
 
     def _check_own_numbers(self, cases: Sequence[Case], mode: Mode) -> None:
-        """The program's probabilities, and how it writes its log-odds."""
-        for check in (check_added, check_log_odds):
+        """The program's probabilities, how it rounds grey values, and how it writes its log-odds."""
+        for check in (check_added, check_rounding, check_log_odds):
             first: list[ComparedMap] = []
             for case in cases:
                 with contextlib.suppress(NoMap):

@@ -36,9 +36,10 @@ YAML = ("yaml", "the YAML beside the map")
 BAD_INPUT = ("bad-input", "scenarios that break a rule")
 ORIENTATION = ("orientation", "orientation (the eight symmetries)")
 ADDED = ("added", "how much a hit and a crossing add (p_occ, p_free)")
+ROUNDING = ("rounding", "how grey values are rounded")
 LOG_ODDS = ("log-odds", "how the log-odds file writes its numbers")
 FIRST_LOOK = ("one-beam", "asymmetric")
-"""What tells the orientation, the probabilities and the form of the log-odds, before any other level."""
+"""What tells orientation, probabilities, rounding and the form of the log-odds, before any other level."""
 
 LEVELS = (
     LevelPlan("one-beam", "one beam", ("one-beam",)),
@@ -48,7 +49,7 @@ LEVELS = (
         "beams without return",
         ("no-return-free", "no-return-ignore"),
     ),
-    LevelPlan("clamping", "clamping", ("saturate",)),
+    LevelPlan("clamping", "clamping", ("saturate", "clamp-order")),
     LevelPlan("prior", "a prior that is not one half", ("prior",)),
     LevelPlan("outside", "outside the grid", ("outside",)),
     LevelPlan(
@@ -123,7 +124,7 @@ def level_runs(runner: Runner) -> list[LevelRuns]:
 
 def titles(runner: Runner) -> dict[str, str]:
     """Every level of a program and its title, in order."""
-    known = dict([RUNS, FILE, ORIENTATION, ADDED, LOG_ODDS])
+    known = dict([RUNS, FILE, ORIENTATION, ADDED, ROUNDING, LOG_ODDS])
     known |= {plan.name: plan.title for plan in LEVELS}
     known |= dict([YAML, BAD_INPUT])
     return known | {

@@ -1,14 +1,15 @@
-"""The levels about p_occ and p_free, and about how the log-odds are written.
+"""The levels about p_occ and p_free, about how grey values are rounded, and about how the log-odds are written.
 
-Either mistake shows in every map. So that it costs one level only, the other levels look at the maps as if it were not
-there: they compare with the scenario that has the program's own probabilities, or compare the pictures alone.
+Each of these mistakes shows in every map. So that it costs one level only, the other levels look at the maps as if it
+were not there: they compare with the scenario that has the program's own probabilities, take a grey value halfway
+between two levels on either side, or compare the pictures alone.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from occgrid_parity.check.levels import ADDED, LOG_ODDS
+from occgrid_parity.check.levels import ADDED, LOG_ODDS, ROUNDING
 from occgrid_parity.check.program_maps import ComparedMap, ProgramMaps
 from occgrid_parity.check.verdict import Level
 from occgrid_parity.check.wording import listed, parameters
@@ -17,6 +18,7 @@ from occgrid_parity.explain.mistaken_maps import Evidence
 from occgrid_parity.explain.seen import log_odds_fault
 from occgrid_parity.explain.single_updates import (
     has_single_updates,
+    rounded_down,
     single_updates,
     with_parameters,
 )
@@ -45,6 +47,19 @@ def check_added(maps: ProgramMaps, first: Sequence[ComparedMap]) -> Level:
         return Level(*ADDED, "passed")
     message = "your maps differ in other ways, too, so the probabilities cannot be read from them"
     return Level(*ADDED, "grey", message=message)
+
+
+def check_rounding(_: ProgramMaps, first: Sequence[ComparedMap]) -> Level:
+    """Whether cells with a probability of one half are rounded up: there no last bit of exp or log decides."""
+    if not first:
+        return Level(*ROUNDING, "grey", message="there is no map to look at")
+    if not any(rounded_down(_evidence(one)) for one in first):
+        return Level(*ROUNDING, "passed")
+    message = (
+        "cells that no beam has touched have grey level 127. Their value of (1 - p) * 255 is exactly 127.5, which "
+        "rounds up to 128 (SPEC.md section 2.6)"
+    )
+    return Level(*ROUNDING, "failed", "rounding", message)
 
 
 def check_log_odds(maps: ProgramMaps, first: Sequence[ComparedMap]) -> Level:

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import textwrap
 
+from occgrid_parity.check.levels import ROUNDING
 from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.wording import plural
 from occgrid_parity.compare.cell_values import CellValue
 from occgrid_parity.explain.findings import Cause, FirstDifference
 
 WIDTH = 100
-HALVES = "identical except for pixels exactly halfway between two grey levels, where the last bit of exp or log decides"
+HALVES = "identical except for pixels exactly halfway between two grey levels"
+LAST_BIT = ", where the last bit of exp or log decides"
 MARKS = {
     "identical": "identical",
     "halves": "identical*",
@@ -45,7 +47,11 @@ def verdict_text(verdict: Verdict, points: bool = True) -> str:
     for level in verdict.levels:
         lines += _level(level, title_width)
     if any(level.status == "halves" for level in verdict.levels):
-        lines.append(f"* {HALVES}")
+        wrong = any(
+            level.name == ROUNDING[0] and level.status == "failed"
+            for level in verdict.levels
+        )
+        lines.append(f"* {HALVES}{'' if wrong else LAST_BIT}")
     if points:
         lines.append(f"  {verdict.score} of {verdict.maximum} points")
     if verdict.observations:

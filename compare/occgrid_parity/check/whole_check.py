@@ -10,8 +10,8 @@ from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.explanation import Explanation
 from occgrid_parity.check.failed_run import keep_failed_run
 from occgrid_parity.check.level_checks import LevelChecks
-from occgrid_parity.check.levels import ADDED, LOG_ODDS
-from occgrid_parity.check.program_maps import ComparedMap, ProgramMaps
+from occgrid_parity.check.levels import ADDED, LOG_ODDS, ROUNDING
+from occgrid_parity.check.program_maps import ProgramMaps
 from occgrid_parity.check.summary import failure, not_checked, success
 from occgrid_parity.check.two_runs import unsteady
 from occgrid_parity.check.verdict import SCHEMA, Overall, Verdict
@@ -86,6 +86,9 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
     """Explains the first map that differs, if there is one."""
     maps, differing = checks.maps, checks.differing
     summary = failure(checks.levels)
+    lost = {x.name for x in checks.levels if x.counts and not x.good}
+    if lost == {ROUNDING[0]}:
+        return _after_wrong_rounding(checks, options, summary)
     if differing is None and not checks.misread:
         return Conclusion("failed", summary)
     if not options.explain:
@@ -112,7 +115,6 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
     assert cause is not None
     if not cause.candidates and not seen:
         _think_of_own_noise(maps)
-    lost = {x.name for x in checks.levels if x.counts and not x.good}
     # scans that are missing, or these levels, say all that there is to say
     if not cause.candidates and (scans or lost <= {ADDED[0], LOG_ODDS[0]}):
         cause = None
@@ -151,29 +153,27 @@ def _scans_seen(maps: ProgramMaps) -> list[str]:
     return [wording.maps_of_scans(*entry) for entry in said.items()]
 
 
+def _after_wrong_rounding(
+    checks: LevelChecks, options: Options, summary: str
+) -> Conclusion:
+    """The maps are right but for grey values halfway between two levels, and no last bit explains these."""
+    if not options.explain:
+        return Conclusion("differs", summary)
+    evidence = _evidence(checks.maps)
+    seen = observations(evidence, checks.runner.reads_scenarios)
+    found = find_halves_cause(evidence)
+    cause = found if found.candidates else None
+    return Conclusion("differs", summary, cause=cause, seen=seen)
+
+
 def _after_success(checks: LevelChecks, options: Options) -> Conclusion:
-    """All levels passed, yet a mistake can be what looks like rounding of grey values."""
+    """All levels passed, yet a mistake in rounding can look like last bits: it is told, and costs nothing."""
     maps = checks.maps
     seen = observations(_evidence(maps), maps.runner.reads_scenarios)
     rounded = [one for one in maps.compared.values() if one.compared.halves]
     halves = sum(one.compared.halves for one in rounded)
     overall, summary = success(checks.levels, halves)
-    if not rounded or not options.explain:
-        return Conclusion(overall, summary, seen=seen)
-    found = find_halves_cause(_evidence(maps))
-    if not found.candidates:
-        return Conclusion(overall, summary, seen=seen)
-    smallest = min(rounded, key=_size)
-    explanation = Explanation(maps, options, misread=False)
-    return Conclusion(
-        "differs",
-        "grey values halfway between two levels differ, and they are exactly those of a mistake: "
-        f"{found.candidates[0].title}",
-        explanation.first_difference(smallest, strict=True),
-        found,
-        seen,
-    )
-
-
-def _size(one: ComparedMap) -> int:
-    return one.observed.pixels.size
+    if rounded and options.explain:
+        found = find_halves_cause(_evidence(maps))
+        seen += [wording.like_rounding(one) for one in found.candidates]
+    return Conclusion(overall, summary, seen=seen)

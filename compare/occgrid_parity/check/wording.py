@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from occgrid_parity.check.verdict import CaseResult
 from occgrid_parity.explain.closeness import Compared
-from occgrid_parity.model.right_formulas import other_formulas
+from occgrid_parity.explain.findings import Likely
+from occgrid_parity.model.right_formulas import Formulas, other_formulas
 from occgrid_parity.model.rounding import Beams
 
 NAMED_BEAMS = 12
@@ -57,6 +58,17 @@ def maps_of_scans(scans: str, names: Sequence[str]) -> str:
     return f"your maps of {which} are exactly the reference's {scans}"
 
 
+def formula_words(formulas: Formulas) -> str:
+    """Which formulas draw the program's map, and whether they are right on other maps, too."""
+    named = "; ".join(other_formulas(formulas))
+    if formulas.cell == Formulas().cell:
+        return f"the reference draws your map with formulas that are as right as its own ({named})"
+    return (
+        f"the reference draws your map with other formulas ({named}). They are right on this map, but where a pose "
+        f"lies exactly on a cell edge, this one for the cell can give the cell beside it: write {Formulas().cell}"
+    )
+
+
 def compared_words(compared: Compared) -> str:
     """How one map compares."""
     said = []
@@ -83,10 +95,7 @@ def compared_words(compared: Compared) -> str:
             f"({name_beams(pairs)})"
         )
         if compared.formulas is not None:
-            said.append(
-                "the reference draws your map with formulas that are as right as its own "
-                f"({'; '.join(other_formulas(compared.formulas))})"
-            )
+            said.append(formula_words(compared.formulas))
     if compared.halves:
         values = plural(compared.halves, "grey value")
         said.append(
@@ -98,6 +107,14 @@ def compared_words(compared: Compared) -> str:
             f"{compared.steps[0]!r} and {compared.steps[1]!r}, and with these steps every bit is the same"
         )
     return "; ".join(said) or "identical"
+
+
+def like_rounding(mistake: Likely) -> str:
+    """A mistake in rounding that draws all maps, where last bits explain them as well."""
+    return (
+        f"all your grey values are those of this mistake: {mistake.title} [{mistake.name}]. {mistake.lesson} Last bits "
+        "of exp and log can give the same grey values, so it costs no point"
+    )
 
 
 def case_result(

@@ -14,6 +14,7 @@ from occgrid_parity.check.levels import (
     FILE,
     LEVELS,
     ORIENTATION,
+    ROUNDING,
     RUNS,
 )
 from occgrid_parity.check.program_check import broken
@@ -288,7 +289,7 @@ def handed_out(
 
 def with_every_level(verdict: Verdict, wanted: Wanted) -> Verdict:
     """The verdict with the levels that it has not reached, so that the maximum is the same for all."""
-    levels = [RUNS, FILE, ORIENTATION, ADDED]
+    levels = [RUNS, FILE, ORIENTATION, ADDED, ROUNDING]
     if wanted.cases:
         levels += [(case.name, case.name) for case in wanted.cases]
     else:

@@ -22,11 +22,6 @@ LEFT_OUT = (
     "Maps in which rounding decides where a beam ends were left out, and grey values halfway between two levels may be "
     "on either side."
 )
-NEARLY_ALL = 0.99  # a few cells may be on the other side of an edge
-EVEN_ODDS = (
-    "Cells with a probability of exactly one half show it: there no last bit of exp or log can decide, and your pixel "
-    "is the one that this mistake gives."
-)
 JOBS = min(2, os.cpu_count() or 1)
 
 
@@ -89,36 +84,8 @@ def find_halves_cause(evidence: Sequence[Evidence]) -> Cause:
         found = _matching(maps, mistakes, evidence, numbers)
         if found:
             return _cause(found, evidence, name)
-    found = [mistake for mistake in mistakes if _rounds_so(mistake, evidence)]
     titles = [one.title for one in evidence]
-    if not found:
-        return Cause([], titles, len(mistakes))
-    return Cause(
-        [likely(one) for one in found], titles, len(mistakes), "", EVEN_ODDS
-    )
-
-
-def _rounds_so(mistake: type[Mapper], evidence: Sequence[Evidence]) -> bool:
-    """Whether cells with a probability of one half have the grey level that the mistake gives them.
-
-    There exp(0) is 1 in every library, so no last bit decides; the other grey values may hang on last bits.
-    """
-    half = np.array([0.5])
-    level = mistake.pixel(_of(evidence[0], mistake), half)
-    if level == Mapper.pixel(_of(evidence[0], Mapper), half):
-        return False
-    even = [
-        one.observed.pixels[::-1][
-            reference_map(one.case, one.mode).log_odds == 0.0
-        ]
-        for one in evidence
-    ]
-    cells = np.concatenate(even)
-    return bool(cells.size) and float((cells == level).mean()) > NEARLY_ALL
-
-
-def _of(one: Evidence, mistake: type[Mapper]) -> Mapper:
-    return mistake(world_of(one.case), one.mode.seed)
+    return Cause([], titles, len(mistakes))
 
 
 def _is_nearer(mistake: type[Mapper], one: Evidence) -> bool:

@@ -93,6 +93,15 @@ def untouched(one: Evidence) -> str:
     )
 
 
+def rounded_down(one: Evidence) -> bool:
+    """Whether cells that nothing has updated, with a probability of exactly one half, have 127.5 rounded down."""
+    if one.observed.top != 255:
+        return False
+    drawn = reference_map(one.case, one.mode)
+    found = one.observed.pixels[(drawn.log_odds == 0.0)[::-1]]
+    return bool(found.size) and float((found == 127).mean()) > NEARLY_ALL
+
+
 def single_updates(maps: Sequence[Evidence]) -> list[SingleUpdate]:
     """What all maps show of cells with one update, crossed ones and hit ones."""
     found = [

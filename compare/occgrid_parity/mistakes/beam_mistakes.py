@@ -242,10 +242,9 @@ def _centre(mapper: Mapper, pose: Pose) -> tuple[Array, Array]:
     """Of the cell in which the robot stands; a number for each beam where the pose has arrays."""
     s = mapper.settings
     gx, gy = mapper.to_grid(np.asarray(pose.x), np.asarray(pose.y))
-    return (
-        s.origin_x + (gx + 0.5) * s.resolution,
-        s.origin_y + (gy + 0.5) * s.resolution,
-    )
+    x: Array = s.origin_x + (gx + 0.5) * s.resolution
+    y: Array = s.origin_y + (gy + 0.5) * s.resolution
+    return x, y
 
 
 class NoReturnNotFreed(Mapper):

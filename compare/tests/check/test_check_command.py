@@ -45,7 +45,7 @@ def test_a_right_program_ends_with_0(tmp_path: Path, mapper: Path) -> None:
     assert re.match("mapper: (identical|on the lesson it differs only)", text)
     verdict = from_json((tmp_path / "j.json").read_text())
     assert verdict == from_json((folder / "verdict.json").read_text())
-    assert verdict.score == verdict.maximum == 18
+    assert verdict.score == verdict.maximum == 19
     assert verdict.compared == "pixels only"
     assert len(verdict.not_checked) == 3
     for said in verdict.not_checked:

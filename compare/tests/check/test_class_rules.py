@@ -70,6 +70,7 @@ def test_the_examples_can_be_read(name: str) -> None:
         "file",
         "orientation",
         "added",
+        "rounding",
         "log-odds",
         "seeds",
         "yaml",

@@ -9,11 +9,12 @@ import pytest
 
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import SEEDS
+from occgrid_parity.check.verdict_text import verdict_text
 from occgrid_parity.check.whole_check import check
 from occgrid_parity.check.wording import LESSON_ONLY, OWN_NOISE
 from occgrid_parity.formats.log_odds import bits
 from occgrid_parity.mistakes.catalogue import MISTAKES, only_noise
-from occgrid_parity.model.arithmetic import PLATFORM
+from occgrid_parity.model.arithmetic import PLATFORM, PORTABLE, Arithmetic
 from occgrid_parity.model.array_types import Array
 from occgrid_parity.model.mapper_steps import Mapper
 from occgrid_parity.model.reference import reference_map
@@ -31,6 +32,9 @@ SCENARIOS = sorted(path.stem for path in scenario_folder().glob("*.log"))
 NOISY = Options(
     [case("asymmetric"), case("noise-half"), case("noise-clamp")], SEEDS
 )
+
+# it looks like last bits
+HALF_EVEN = "pixel-half-even"
 
 # the same cells in whatever order: nothing can tell these apart
 SAME = [{"ties-up", "ties-with-equality", "line-from-the-end"}]
@@ -97,7 +101,7 @@ def test_the_page_is_what_the_code_says(caught: dict[str, list[str]]) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("name", MISTAKES)
+@pytest.mark.parametrize("name", [*{*MISTAKES} - {HALF_EVEN}])
 def test_every_mistake_fails_the_check_and_is_named(name: str) -> None:
     verdict = check(
         MapperRunner(MISTAKES[name]),
@@ -112,6 +116,38 @@ def test_every_mistake_fails_the_check_and_is_named(name: str) -> None:
         one.lesson and one.where and one.title
         for one in verdict.cause.candidates
     )
+
+
+@pytest.mark.parametrize("reads_scenarios", [False, True])
+def test_halves_to_even_numbers_are_mentioned_and_cost_nothing(
+    reads_scenarios: bool,
+) -> None:
+    """No map tells them from last bits: the one half, which no last bit decides, goes to 128 in either way."""
+    verdict = check(
+        MapperRunner(MISTAKES[HALF_EVEN], reads_scenarios=reads_scenarios)
+    )
+    assert verdict.exit_status == 0
+    assert verdict.score == verdict.maximum
+    assert verdict.cause is None
+    assert any(HALF_EVEN in said for said in verdict.observations)
+    assert "costs no point" in verdict_text(verdict)
+
+
+@pytest.mark.parametrize("numbers", [PORTABLE, PLATFORM])
+def test_one_half_rounded_down_costs_one_point(numbers: Arithmetic) -> None:
+    """Every map has such cells, but one level is about them."""
+    name = "pixel-half-down"
+    runner = MapperRunner(
+        MISTAKES[name], False, numbers, reads_scenarios=False
+    )
+    verdict = check(runner)
+    assert verdict.exit_status == 1
+    lost = [x.name for x in verdict.levels if x.counts and not x.good]
+    assert lost == ["rounding"]
+    assert verdict.summary.startswith("rounding: cells that no beam")
+    assert "last bit of exp or log decides" not in verdict_text(verdict)
+    if numbers is PORTABLE:
+        assert names(verdict) == [name]
 
 
 @pytest.mark.long

@@ -116,6 +116,11 @@ export class ChosenWays {
     return value;
   }
 
+  /** Whether no beam can touch the cell. @param {number} cell */
+  isUntouched(cell) {
+    return this.#from[cell] === this.#from[cell + 1];
+  }
+
   /** Whether a beam that can go several ways can touch the cell. @param {number} cell */
   isUndecided(cell) {
     for (let i = this.#from[cell]; i < this.#from[cell + 1]; i++) {
