@@ -24,6 +24,15 @@ MARKS = {
 }
 
 
+def halves_words(verdict: Verdict) -> str:
+    """What the star of ``identical*`` means; no last bit decides where one half is rounded down."""
+    wrong = any(
+        level.name == ROUNDING[0] and level.status == "failed"
+        for level in verdict.levels
+    )
+    return HALVES if wrong else HALVES + LAST_BIT
+
+
 def verdict_status(verdict: Verdict) -> str:
     """The verdict as the status of a level: where all is grey values halfway between two levels, halves."""
     statuses = {level.status for level in verdict.levels}
@@ -47,11 +56,7 @@ def verdict_text(verdict: Verdict, points: bool = True) -> str:
     for level in verdict.levels:
         lines += _level(level, title_width)
     if any(level.status == "halves" for level in verdict.levels):
-        wrong = any(
-            level.name == ROUNDING[0] and level.status == "failed"
-            for level in verdict.levels
-        )
-        lines.append(f"* {HALVES}{'' if wrong else LAST_BIT}")
+        lines.append(f"* {halves_words(verdict)}")
     if points:
         lines.append(f"  {verdict.score} of {verdict.maximum} points")
     if verdict.observations:

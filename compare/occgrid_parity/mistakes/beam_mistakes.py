@@ -131,7 +131,9 @@ class CoarseParallel(Mapper):
         "a beam passes through a wall that it meets at a very small angle."
     )
     where = "section 6.1 (ray_segment_intersection: abs(rxs) < 1e-12)"
-    parallel = 1e-9
+
+    def parallel(self) -> float:
+        return 1e-9
 
 
 class OneBeamFewer(Mapper):
@@ -242,9 +244,10 @@ def _centre(mapper: Mapper, pose: Pose) -> tuple[Array, Array]:
     """Of the cell in which the robot stands; a number for each beam where the pose has arrays."""
     s = mapper.settings
     gx, gy = mapper.to_grid(np.asarray(pose.x), np.asarray(pose.y))
-    x: Array = s.origin_x + (gx + 0.5) * s.resolution
-    y: Array = s.origin_y + (gy + 0.5) * s.resolution
-    return x, y
+    return (
+        s.origin_x + (gx.astype(np.float64) + 0.5) * s.resolution,
+        s.origin_y + (gy.astype(np.float64) + 0.5) * s.resolution,
+    )
 
 
 class NoReturnNotFreed(Mapper):

@@ -219,8 +219,6 @@ class Mapper:
     title: ClassVar[str] = "no mistake"
     lesson: ClassVar[str] = ""
     where: ClassVar[str] = ""
-    parallel: ClassVar[float] = 1e-12
-    """The cross product of direction and wall below which they are parallel."""
 
     def __init__(
         self,
@@ -299,6 +297,10 @@ class Mapper:
         i = np.arange(n, dtype=np.float64)
         return np.zeros(1) if n == 1 else -(fov / 2.0) + (fov * i) / (n - 1.0)
 
+    def parallel(self) -> float:
+        """The cross product of direction and wall below which they are parallel."""
+        return 1e-12
+
     def simulate(self, pose: Pose, angles: Array) -> Array:
         """Ranges (n,) from a pose; (k, n) from many in one, whose numbers are arrays (k, 1)."""
         shape = np.broadcast_shapes(np.shape(pose.theta), angles.shape)
@@ -307,7 +309,12 @@ class Mapper:
         walls = tuple(self.world.walls)
         z_max = self.settings.max_range
         ranges = _cast(
-            walls, points, beams.tobytes(), z_max, self.numbers, self.parallel
+            walls,
+            points,
+            beams.tobytes(),
+            z_max,
+            self.numbers,
+            self.parallel(),
         )
         return ranges.reshape(shape)
 

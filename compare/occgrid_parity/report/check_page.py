@@ -16,9 +16,9 @@ from occgrid.sensor import Scan
 from occgrid_parity.check.program_maps import ComparedMap, PartialMap
 from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.verdict_text import (
-    HALVES,
     MARKS,
     beam_lines,
+    halves_words,
     how_text,
     place_text,
     verdict_status,
@@ -78,7 +78,7 @@ def write_check_page(
     remarks = [f"not checked: {said}" for said in verdict.not_checked]
     remarks += [f"note: {said}" for said in verdict.notes]
     if any(level.status == "halves" for level in verdict.levels):
-        remarks.insert(0, f"* {HALVES}")
+        remarks.insert(0, f"* {halves_words(verdict)}")
     start = _start(verdict, maps)
     text = render(
         "check.html",
