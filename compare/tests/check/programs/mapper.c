@@ -69,7 +69,7 @@ static double cast(double x, double y, double a) {
     double dx = cos(a), dy = sin(a), best = value[ZMAX];
     for (int i = 0; i < walls - is("last-wall"); i++) {
         double *s = wall[i], sx = s[2] - s[0], sy = s[3] - s[1], rxs = dx * sy - dy * sx;
-        if (fabs(rxs) < (is("coarse-parallel") ? 1e-3 : 1e-12)) continue;
+        if (fabs(rxs) < (is("coarse-parallel") ? 1e-9 : 1e-12)) continue;
         double qx = s[0] - x, qy = s[1] - y, t = (qx * sy - qy * sx) / rxs, u = (qx * dy - qy * dx) / rxs;
         if ((is("no-end") && u == 1) || (is("no-beginning") && u == 0)) continue;
         if (t >= 0 && u >= 0 && (u <= 1 || is("endless-walls")) && t < best) best = t;
