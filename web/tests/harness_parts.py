@@ -46,6 +46,9 @@ SCENARIOS = (
     "noise-half",
     "noise-clamp",
     "flaser",
+    "clamp-order",
+    "slanting",
+    "mixed",
 )
 SEED = 3
 

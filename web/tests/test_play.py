@@ -180,9 +180,8 @@ def test_a_control_does_what_the_parameter_does(
         seed = str(MOVES[control])
     else:
         assert f"PARAM occgrid_{control} {MOVES[control]}\n" in scenario
-        assert page.locator(f"#{control}-value").inner_text().replace(
-            "\u2212", "-"
-        ).split()[0] == str(MOVES[control])
+        shown = words(page, f"{control}-value").replace("\u2212", "-")
+        assert shown.split()[0] == str(MOVES[control])
     expected = python_map(scenario, tmp_path, "--seed", seed)
     found = page.evaluate(HASH)
     assert found == hash_of(expected)

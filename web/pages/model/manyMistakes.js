@@ -13,7 +13,7 @@ import { MistakenMapper } from "./mistakenMapper.js";
 /** @typedef {import("./mistakenMapper.js").Steps} Steps */
 /** @typedef {import("../../src/sensor.js").Scan} Scan */
 
-/** The steps up to the ranges, to the ends of the beams, to the cells that are updated, and to the map. */
+/** The steps up to the ranges, to the ends of the beams, and to the cells that are updated; and those after the map. */
 const RANGES = steps(
   "bearings",
   "cast",
@@ -25,7 +25,7 @@ const RANGES = steps(
 );
 const ENDS = steps(...RANGES, "read", "endpoint", "index", "toGrid", "kept");
 const UPDATES = steps(...ENDS, "place", "line", "evidence", "withinScan");
-const MAP = steps(...UPDATES, "logit", "start", "deltas", "clamp");
+const FILES = steps("probability", "pixel", "fileOrder", "picture");
 
 /** @param {(keyof Steps)[]} names @returns {(keyof Steps)[]} */
 function steps(...names) {
@@ -80,7 +80,7 @@ export class ManyMistakes {
   *#mapOf(mapper) {
     const differs = (/** @type {(keyof Steps)[]} */ names) =>
       mapper.changed.some((name) => names.includes(name));
-    if (!differs(MAP)) return this.#map;
+    if (mapper.changed.every((name) => FILES.includes(name))) return this.#map;
     if (!differs(RANGES)) mapper.scan = (number) => this.#scans[number];
     if (!differs(ENDS)) mapper.beams = (number) => this.#beams[number];
     if (!differs(UPDATES)) mapper.updates = (number) => this.#updates[number];
