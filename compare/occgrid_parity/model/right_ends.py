@@ -62,16 +62,18 @@ class RightEnds:
             self._distances(f), s.max_range, s.no_return
         )
         ex, ey = self._points(f, distance)
-        cell = CELLS[f.cell]
+        # a pose from a file has no rounding errors
+        start = f.cell if self.own_poses else Formulas().cell
 
-        def index(value: Array, origin: float) -> Cells:
-            return cell(value, origin, s.resolution).astype(np.int64)
+        def index(formula: str, value: Array, origin: float) -> Cells:
+            cells = CELLS[formula](value, origin, s.resolution)
+            return cells.astype(np.int64)
 
         return Ends(
-            index(x, s.origin_x),
-            index(y, s.origin_y),
-            index(x + ex, s.origin_x),
-            index(y + ey, s.origin_y),
+            index(start, x, s.origin_x),
+            index(start, y, s.origin_y),
+            index(f.cell, x + ex, s.origin_x),
+            index(f.cell, y + ey, s.origin_y),
             hit,
         )
 

@@ -8,6 +8,7 @@ import {
   ALONG_AXIS,
   BEARINGS,
   CELLS,
+  CONTRACT,
   FUNCTIONS,
   HEADINGS,
   SHARE,
@@ -53,11 +54,13 @@ export class RightEnds {
     const s = this.world.settings;
     const { x, y } = this.#place(f, i);
     const cell = CELLS[f.cell];
+    // a pose from a file has no rounding errors
+    const startCell = this.ownPoses ? cell : CELLS[CONTRACT.cell];
     const { z, hit } = readRanges(this.#ranges(f, i), s.maxRange, s.noReturn);
     const end = this.#points(f, i, z);
     return {
-      gx0: cell(x, s.originX, s.resolution),
-      gy0: cell(y, s.originY, s.resolution),
+      gx0: startCell(x, s.originX, s.resolution),
+      gy0: startCell(y, s.originY, s.resolution),
       gx1: end.x.map((ex) => cell(x + ex, s.originX, s.resolution)),
       gy1: end.y.map((ey) => cell(y + ey, s.originY, s.resolution)),
       hit,
