@@ -64,8 +64,7 @@ def verdict_text(verdict: Verdict, points: bool = True) -> str:
         for said in verdict.observations:
             lines += _wrap(f"{said[0].upper()}{said[1:]}.", "  ")
     if verdict.cause is not None:
-        title = "Likely cause" if verdict.cause.candidates else "Cause"
-        lines += ["", title, *_cause(verdict.cause)]
+        lines += ["", cause_title(verdict.cause), *_cause(verdict.cause)]
     if verdict.first_difference is not None:
         lines += [
             "",
@@ -89,6 +88,14 @@ def _level(level: Level, width: int) -> list[str]:
     word = f" ({level.word})" if level.word else ""
     line = f"  {level.title:<{width}}  {MARKS[level.status]}{word}"
     return [line, *_wrap(level.message, " " * 6)]
+
+
+def cause_title(cause: Cause) -> str:
+    """What stands above a cause: whether it is known, and of how many mistakes it is one."""
+    count = len(cause.candidates)
+    if count > 1:
+        return f"Likely cause: one of these {count}"
+    return "Likely cause" if count else "Cause"
 
 
 def _cause(cause: Cause) -> list[str]:

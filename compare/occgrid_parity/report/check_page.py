@@ -18,6 +18,7 @@ from occgrid_parity.check.verdict import Level, Verdict
 from occgrid_parity.check.verdict_text import (
     MARKS,
     beam_lines,
+    cause_title,
     halves_words,
     how_text,
     place_text,
@@ -91,6 +92,7 @@ def write_check_page(
         word=verdict_word(verdict),
         tone=TONES[verdict_status(verdict)],
         runs=plural(verdict.runs, "run"),
+        cause_title=cause_title(verdict.cause) if verdict.cause else "",
         place=place_text(difference) if difference else "",
         how=how_text(difference) if difference else "",
         beam="\n".join(beam_lines(difference)) if difference else "",
