@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from occgrid_parity.check.check_options import Options
 from occgrid_parity.check.levels import EVIDENCE, case_for
 from occgrid_parity.check.program_maps import (
@@ -10,6 +12,7 @@ from occgrid_parity.check.program_maps import (
     ProgramMaps,
 )
 from occgrid_parity.explain.cause import find_cause
+from occgrid_parity.explain.difference_record import report_deduced
 from occgrid_parity.explain.findings import Cause, FirstDifference
 from occgrid_parity.explain.first_difference import find_first_difference
 from occgrid_parity.explain.mistaken_maps import Evidence
@@ -34,6 +37,9 @@ class Explanation:
         self, differing: ComparedMap, strict: bool
     ) -> FirstDifference | None:
         """Where a map first differs; ``strict``: what rounding explains counts, too."""
+        observed = differing.observed
+        if observed.pixels.shape != differing.drawn.pixels.shape:
+            return _of_turned_map(differing)
         explained = find_first_difference(
             self.runner,
             differing.case,
@@ -42,9 +48,7 @@ class Explanation:
             strict,
             self.options.save,
             # a map that is turned back compares otherwise as it was drawn
-            differing.compared
-            if differing.observed is differing.drawn
-            else None,
+            differing.compared if observed is differing.drawn else None,
         )
         self.maps.runs += explained.runs
         if self.options.on_partial is not None:
@@ -82,3 +86,15 @@ class Explanation:
             and (digest, mode) not in self.maps.compared
             and digest in cases
         ]
+
+
+def _of_turned_map(differing: ComparedMap) -> FirstDifference | None:
+    """Where a map that is turned back first differs; as it was drawn, it has other cells than the reference's."""
+    found = report_deduced(
+        differing.case, differing.mode, differing.observed, differing.compared
+    )
+    turned = (
+        "your map has another width and height than the scenario says, so nothing was run again: this is your map "
+        "turned back"
+    )
+    return found and replace(found, undetermined=[turned])

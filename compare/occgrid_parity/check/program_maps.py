@@ -155,16 +155,22 @@ class ProgramMaps:
             again = self._closeness(observed, other, mode)
             if again.status != "differs":
                 compared, own = again, self.own
-        if self.back is not None and observed.log_odds is not None:
-            # the picture is turned, and the log-odds may be upright
-            upright = replace(observed, log_odds=drawn.log_odds)
-            fits = drawn.log_odds is not None and (
-                drawn.log_odds.shape == observed.pixels.shape
-            )
-            if compared.status == "differs" and fits:
-                again = self._closeness(upright, case, mode)
+        if (
+            self.back is not None
+            and observed.log_odds is not None
+            and drawn.log_odds is not None
+        ):
+            # the picture is turned; the log-odds may be upright, or written column by column
+            for log_odds in (drawn.log_odds, drawn.log_odds.T):
+                fits = log_odds.shape == observed.pixels.shape
+                if compared.status != "differs" or not fits:
+                    continue
+                other_way = replace(
+                    observed, log_odds=np.ascontiguousarray(log_odds)
+                )
+                again = self._closeness(other_way, case, mode)
                 if again.status != "differs":
-                    observed, compared = upright, again
+                    observed, compared = other_way, again
         return ComparedMap(
             case, mode, observed, compared, outcome.seconds, drawn, own
         )
