@@ -131,8 +131,13 @@ def test_many_files_that_are_too_much_together(
 
 
 def test_too_much_memory(run: Run) -> None:
-    # more than the limit, and less than the twofold, which the system refuses at once
-    code = "import time\nx = bytearray(b'x' * 80_000_000)\ntime.sleep(1000)"
+    # more than the limit, and less than the twofold, which the system refuses at once; written to, or it is not there
+    code = (
+        "import time\n"
+        "x = bytearray(80_000_000)\n"
+        "for page in range(0, len(x), 1024): x[page] = 1\n"
+        "time.sleep(1000)"
+    )
     ended = run(code, memory=64 * MEBI)
     assert (ended.word, ended.message) == (
         "too much memory",

@@ -251,6 +251,6 @@ def test_the_summary_has_the_points(tmp_path: Path) -> None:
     check(tmp_path)
     with (tmp_path / "out" / "summary.csv").open(newline="") as file:
         row = next(csv.DictReader(file))
-    assert (row["points"], row["maximum"]) == ("5", "5")
+    assert (row["points"], row["maximum"]) == ("6", "6")
     text = tmp_path / "out" / "submissions" / "right" / "verdict.json"
     assert from_json(text.read_text()).overall == "identical"
