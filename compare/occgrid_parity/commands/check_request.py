@@ -60,8 +60,12 @@ class Outputs:
     def validate(self, class_folder: Path | None) -> None:
         """Makes the folder for one program's record.
 
-        Raises OSError where that fails, ValueError where a class is asked for what only one program has.
+        Raises OSError where that fails, ValueError where a class is asked for what only one program has, or a file is
+        to be written where there is no folder.
         """
+        for file in (self.json_file, self.junit, self.gradescope):
+            if file is not None and not self._has_folder(file):
+                raise ValueError(f"{file}: there is no folder {file.parent}")
         if class_folder is None:
             self.folder.mkdir(parents=True, exist_ok=True)
             return
@@ -69,6 +73,11 @@ class Outputs:
             raise ValueError("--json is for one program")
         if not class_folder.is_dir():
             raise ValueError(f"{class_folder} is no folder")
+
+    def _has_folder(self, file: Path) -> bool:
+        """Whether the file's folder is there, or will be made for the record."""
+        folder = file.parent.resolve()
+        return folder.is_dir() or folder == self.folder.resolve()
 
 
 @dataclass(frozen=True)

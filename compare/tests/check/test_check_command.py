@@ -90,6 +90,9 @@ def test_a_wrong_program_ends_with_1_and_can_be_seen_again(
         ["--run", "true", "--scenario", "no-such"],
         ["--run", "true", "--mode", "noise-free"],
         ["--run", "true", "--scenario", "one-beam", "--mode", "seed"],
+        ["--run", "true", "--json", "/nowhere/a.json"],
+        ["--run", "true", "--junit", "/nowhere/a.xml"],
+        ["--run", "true", "--gradescope", "/nowhere/a.json"],
     ],
 )
 def test_wrong_usage_ends_with_2(arguments: list[str]) -> None:
