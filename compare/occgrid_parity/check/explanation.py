@@ -34,9 +34,9 @@ class Explanation:
         self.short: Evidence | None = None
 
     def first_difference(
-        self, differing: ComparedMap, strict: bool
+        self, differing: ComparedMap
     ) -> FirstDifference | None:
-        """Where a map first differs; ``strict``: what rounding explains counts, too."""
+        """Where a map first differs."""
         observed = differing.observed
         if observed.pixels.shape != differing.drawn.pixels.shape:
             return _of_turned_map(differing)
@@ -45,7 +45,6 @@ class Explanation:
             differing.case,
             differing.mode,
             differing.drawn,
-            strict,
             self.options.save,
             # a map that is turned back compares otherwise as it was drawn
             differing.compared if observed is differing.drawn else None,

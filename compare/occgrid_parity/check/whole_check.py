@@ -107,7 +107,7 @@ def _after_failure(checks: LevelChecks, options: Options) -> Conclusion:
     explanation = Explanation(maps, options, checks.misread)
     difference = None
     if differing is not None:
-        difference = explanation.first_difference(differing, strict=False)
+        difference = explanation.first_difference(differing)
     told = scans and not maps.runner.reads_scenarios
     if told:  # that is the cause, and a map has one only
         return Conclusion("differs", summary, difference, seen=seen)

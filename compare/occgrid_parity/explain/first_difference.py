@@ -37,10 +37,9 @@ MINIMAL = "first-difference.log"
 class _Trials:
     """Runs the program on shortened scenarios and counts the runs."""
 
-    def __init__(self, runner: Runner, mode: Mode, strict: bool) -> None:
+    def __init__(self, runner: Runner, mode: Mode) -> None:
         self.runner = runner
         self.mode = mode
-        self.strict = strict
         self.runs = 0
         self.known: dict[str, Trial] = {}
 
@@ -48,10 +47,8 @@ class _Trials:
         self, case: Case, observed: Observed, known: Compared | None = None
     ) -> Trial:
         compared = known or compare_with_reference(observed, case, self.mode)
-        wanted = (
-            {"identical"} if self.strict else {"identical", "halves", "edges"}
-        )
-        return Trial(case, observed, compared, compared.status not in wanted)
+        differs = compared.status == "differs"
+        return Trial(case, observed, compared, differs)
 
     def attempt(self, case: Case) -> Trial:
         if case.digest not in self.known:
@@ -87,21 +84,19 @@ def find_first_difference(
     case: Case,
     mode: Mode,
     observed: Observed,
-    strict: bool,
     save: Path | None,
     known: Compared | None = None,
 ) -> Explained:
     """Where the map first differs.
 
-    ``known`` is how the map compares, if that is known already. ``strict``: what rounding explains counts as a
-    difference, too. The minimal scenario is written into ``save``.
+    ``known`` is how the map compares, if that is known already. The minimal scenario is written into ``save``.
     """
     if not case.is_file:
         known = known or compare_with_reference(
             observed, case, mode, own_poses=True
         )
         return Explained(report_deduced(case, mode, observed, known))
-    trials = _Trials(runner, mode, strict)
+    trials = _Trials(runner, mode)
     whole = trials.compare(case, observed, known)
     try:
         view = BeamView(case, mode)

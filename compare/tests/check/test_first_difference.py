@@ -46,7 +46,7 @@ def test_finds_scan_and_beam(
     observed = runner.run(one, NOISE_FREE).observed
     assert observed is not None
     difference, runs, short, partial = find_first_difference(
-        runner, one, NOISE_FREE, observed, False, tmp_path
+        runner, one, NOISE_FREE, observed, tmp_path
     )
     assert difference is not None and difference.runs == runs
     assert short is not None and short.differs
